@@ -1,0 +1,19 @@
+//! The mathematics of small disturbances about steady flight: numbers in, numbers out.
+//!
+//! # Conventions
+//!
+//! | | |
+//! |---|---|
+//! | units | SI and radians, everywhere in this module |
+//! | axes | body-fixed, *x* forward, *y* right, *z* down; stability axes where the trim angle of attack is zero |
+//! | *u* | perturbation of forward speed \[m/s\], faster positive |
+//! | *w* | perturbation of velocity along *z* \[m/s\], downward positive; α ≈ w/U₀ |
+//! | *q* | pitch rate \[rad/s\], nose-up positive |
+//! | *θ* | pitch angle \[rad\], nose-up positive |
+//! | *δe* | elevator \[rad\], trailing edge down positive; it pitches the nose down, so M_δe < 0 |
+//! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
+//!
+//! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
+//! cannot show.
+
+pub mod linear;

@@ -1,0 +1,21 @@
+//! Eigenwing: how an aircraft moves when it is disturbed.
+//!
+//! ```text
+//! assets/aircraft/*.toml ── content ──┐                               ┌─ pole map
+//!                                     ▼                               ├─ mode cards
+//!           slider ───────────────► Scenario ──► flight::analyse ─────┼─ responses
+//!             ▲                    (edited)      (pure) = Analysis    └─ static and dynamic verdict
+//!             └──────────────────────── ui, once a frame ─────────────────┘
+//! ```
+//!
+//! | module | in one line | knows nothing of |
+//! |---|---|---|
+//! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
+//! | [`content`] | the aircraft that ship with the page, read and checked once | egui, web |
+//! | [`scenario`] | what is being studied, and the one table of adjustable quantities | egui, web |
+//! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
+//! | `main.rs`, `web.rs` (feature `app`) | a window natively, a canvas in a browser | how anything is computed or drawn |
+//!
+//! A module may use those above it, never those below.
+
+pub mod flight;
