@@ -16,4 +16,13 @@
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
 //! cannot show.
 
+pub mod analysis;
+pub mod eigen;
+pub mod inputs;
 pub mod linear;
+pub mod modes;
+pub mod naming;
+pub mod response;
+pub mod static_stability;
+
+pub use analysis::{Analysis, AnalysisError, Channel, Experiment, analyse};

@@ -1,0 +1,57 @@
+//! How a quantity in SI is shown: its unit's symbol, and how much of the SI unit one of it is.
+
+use std::f64::consts::PI;
+
+use crate::content::LengthUnit;
+
+/// The dimension of a shown quantity. With an aircraft's unit of length it gives a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// 1/s.
+    PerSecond,
+    /// 1/s².
+    PerSecondSquared,
+    /// Length over time, in the aircraft's unit of length.
+    Speed,
+    /// Length over time squared, in the aircraft's unit of length.
+    Acceleration,
+    /// 1/(length × time), in the aircraft's unit of length.
+    PerLengthSecond,
+    /// Speed of the air, always in m/s.
+    AirSpeed,
+    /// Angle, radians inside and degrees on screen.
+    Angle,
+    /// Angle over time, rad/s inside and deg/s on screen.
+    AngularRate,
+    /// Seconds.
+    Time,
+}
+
+impl Dimension {
+    /// One of the shown unit in SI.
+    pub fn in_si(self, length: LengthUnit) -> f64 {
+        match self {
+            Self::PerSecond | Self::PerSecondSquared | Self::AirSpeed | Self::Time => 1.0,
+            Self::Speed | Self::Acceleration => length.metres(),
+            Self::PerLengthSecond => 1.0 / length.metres(),
+            Self::Angle | Self::AngularRate => PI / 180.0,
+        }
+    }
+
+    /// Symbol of the shown unit.
+    pub fn symbol(self, length: LengthUnit) -> &'static str {
+        match (self, length) {
+            (Self::PerSecond, _) => "1/s",
+            (Self::PerSecondSquared, _) => "1/s²",
+            (Self::Speed, LengthUnit::Metre) | (Self::AirSpeed, _) => "m/s",
+            (Self::Speed, LengthUnit::HundredFeet) => "100 ft/s",
+            (Self::Acceleration, LengthUnit::Metre) => "m/s²",
+            (Self::Acceleration, LengthUnit::HundredFeet) => "100 ft/s²",
+            (Self::PerLengthSecond, LengthUnit::Metre) => "1/(m·s)",
+            (Self::PerLengthSecond, LengthUnit::HundredFeet) => "1/(100 ft·s)",
+            (Self::Angle, _) => "deg",
+            (Self::AngularRate, _) => "deg/s",
+            (Self::Time, _) => "s",
+        }
+    }
+}

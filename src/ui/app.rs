@@ -1,0 +1,356 @@
+//! The application: its state, one frame, and the few things that are not edits of a slider.
+
+use std::sync::Arc;
+
+use egui::util::undoer::Undoer;
+use egui::{CentralPanel, Context, Frame, Key, Margin, Modifiers, Panel, RichText, ScrollArea, Ui};
+
+use super::derivatives::{Rows, derivatives_ui};
+use super::memo::Memo;
+use super::mode_cards::{banner_ui, card_ui, units_warning, verdicts_ui};
+use super::pole_map::PoleMap;
+use super::responses::{Responses, Studied};
+use super::theme::{self, Palette};
+use super::top_bar::{Bar, top_bar_ui};
+use crate::content::{Aircraft, ContentError, embedded_aircraft};
+use crate::flight::modes::Mode;
+use crate::flight::{Analysis, AnalysisError};
+use crate::scenario::Scenario;
+
+/// Below this width the page is a phone's.
+const PHONE: f32 = 700.0;
+/// Below this width the modes stand under the responses, not beside them.
+const TABLET: f32 = 1180.0;
+
+/// Something a person asked for that isn't the edit of a number. Applied last in a frame, in one place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Study another aircraft.
+    Load(Arc<Aircraft>),
+    /// Keep this state to compare with.
+    Pin,
+    /// Keep another aircraft as it is to compare with.
+    CompareWith(Arc<Aircraft>),
+    /// Compare no more.
+    Unpin,
+    /// Go back one step.
+    Undo,
+    /// Go forward one step.
+    Redo,
+}
+
+/// A pinned state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// What it is called on screen.
+    pub name: String,
+    /// The state.
+    pub scenario: Scenario,
+}
+
+/// The panes of a phone, of which one is on screen below the pole map.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum PhonePane {
+    #[default]
+    Derivatives,
+    Modes,
+    Response,
+}
+
+/// How a person looks at the scenario: not part of what is studied.
+#[derive(Debug)]
+struct View {
+    poles: PoleMap,
+    responses: Responses,
+    explained: &'static str,
+    phone_pane: PhonePane,
+}
+
+/// The page.
+#[derive(Debug)]
+pub struct App {
+    aircraft: Vec<Arc<Aircraft>>,
+    content_errors: Vec<ContentError>,
+    scenario: Scenario,
+    ghost: Option<Ghost>,
+    memo: Memo,
+    ghost_memo: Memo,
+    history: Undoer<Scenario>,
+    view: View,
+}
+
+impl App {
+    /// The page as it opens: the first aircraft, an elevator step. Sets fonts and colours of `ctx`.
+    ///
+    /// An error is a page without a single aircraft.
+    pub fn new(ctx: &Context) -> Result<Self, ContentError> {
+        theme::install(ctx);
+        let (aircraft, mut content_errors) = embedded_aircraft();
+        let aircraft: Vec<Arc<Aircraft>> = aircraft.into_iter().map(Arc::new).collect();
+        let Some(first) = aircraft.first() else {
+            return Err(content_errors.swap_remove(0));
+        };
+        Ok(Self {
+            scenario: Scenario::new(first.clone()),
+            aircraft,
+            content_errors,
+            ghost: None,
+            memo: Memo::default(),
+            ghost_memo: Memo::default(),
+            history: Undoer::default(),
+            view: View {
+                poles: PoleMap::default(),
+                responses: Responses::default(),
+                explained: "mw",
+                phone_pane: PhonePane::default(),
+            },
+        })
+    }
+
+    /// What is studied.
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// What followed from it in the last frame.
+    pub fn analysis(&self) -> Option<&Result<Analysis, AnalysisError>> {
+        self.memo.analysis()
+    }
+
+    /// How often anything was computed.
+    pub fn computations(&self) -> u64 {
+        self.memo.computations() + self.ghost_memo.computations()
+    }
+
+    /// One frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let mut action = shortcuts(ui);
+        let width = ui.content_rect().width();
+        let phone = width < PHONE;
+        let palette = Palette::of(ui);
+        let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
+        action = Panel::top("top bar")
+            .frame(bar)
+            .show(ui, |ui| {
+                top_bar_ui(
+                    ui,
+                    Bar {
+                        aircraft: &self.aircraft,
+                        scenario: &self.scenario,
+                        ghost: self.ghost.as_ref(),
+                        history: (self.history.has_undo(&self.scenario), self.history.has_redo(&self.scenario)),
+                        narrow: phone,
+                    },
+                )
+            })
+            .inner
+            .or(action);
+        action = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, width >= TABLET) }.or(action);
+        if let Some(action) = action {
+            self.apply(action);
+            ui.request_repaint();
+        }
+        self.history.feed_state(ui.input(|input| input.time), &self.scenario);
+    }
+
+    /// Sliders left, poles and responses in the middle, modes right or, on a tablet, below.
+    fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
+        let palette = Palette::of(ui);
+        let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
+        Panel::left("derivatives").exact_size(if wide { 344.0 } else { 320.0 }).resizable(false).frame(side).show(ui, |ui| {
+            derivatives_ui(ui, &mut self.scenario, Rows::Dense, &mut self.view.explained);
+        });
+        self.ghost_memo_refresh();
+        let mut action = None;
+        if wide {
+            action = Panel::right("modes")
+                .exact_size(286.0)
+                .resizable(false)
+                .frame(side)
+                .show(ui, |ui| {
+                    let modes = |ui: &mut Ui| self.modes_ui(ui);
+                    ScrollArea::vertical().id_salt("modes").auto_shrink(false).show(ui, modes).inner
+                })
+                .inner;
+        }
+        let ground = Frame::new().fill(palette.background).inner_margin(Margin::same(10));
+        let middle = |ui: &mut Ui| {
+            if wide {
+                let poles = 0.46 * ui.available_height();
+                self.pole_pane_ui(ui, poles);
+                self.response_pane_ui(ui, Rows::Dense);
+                return None;
+            }
+            ScrollArea::vertical()
+                .id_salt("middle")
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    self.pole_pane_ui(ui, 290.0);
+                    let action = theme::pane(palette).show(ui, |ui| self.modes_ui(ui)).inner;
+                    self.response_pane_ui(ui, Rows::Dense);
+                    action
+                })
+                .inner
+        };
+        CentralPanel::default().frame(ground).show(ui, middle).inner.or(action)
+    }
+
+    /// The pole map stays on top; one of the other panes is below it.
+    fn phone_ui(&mut self, ui: &mut Ui) -> Option<Action> {
+        let palette = Palette::of(ui);
+        let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
+        self.ghost_memo_refresh();
+        Panel::top("poles").exact_size(230.0).resizable(false).frame(ground).show(ui, |ui| self.poles_ui(ui));
+        Panel::top("panes").frame(ground).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 8.0;
+                for (pane, text) in
+                    [(PhonePane::Derivatives, "Derivatives"), (PhonePane::Modes, "Modes"), (PhonePane::Response, "Response")]
+                {
+                    ui.selectable_value(&mut self.view.phone_pane, pane, text);
+                }
+            });
+        });
+        let pane = |ui: &mut Ui| match self.view.phone_pane {
+            PhonePane::Derivatives => {
+                derivatives_ui(ui, &mut self.scenario, Rows::Touch, &mut self.view.explained);
+                None
+            }
+            PhonePane::Modes => {
+                ScrollArea::vertical().id_salt("modes").auto_shrink(false).show(ui, |ui| self.modes_ui(ui)).inner
+            }
+            PhonePane::Response => {
+                let responses = |ui: &mut Ui| self.responses_ui(ui, Rows::Touch);
+                ScrollArea::vertical().id_salt("responses").auto_shrink(false).show(ui, responses);
+                None
+            }
+        };
+        CentralPanel::default().frame(ground).show(ui, pane).inner
+    }
+
+    fn ghost_memo_refresh(&mut self) {
+        if let Some(ghost) = &mut self.ghost {
+            // Compared is what the same disturbance does to both.
+            ghost.scenario.disturbance = self.scenario.disturbance;
+            self.ghost_memo.refresh(&ghost.scenario);
+        }
+    }
+
+    fn pole_pane_ui(&mut self, ui: &mut Ui, height: f32) {
+        theme::pane(Palette::of(ui)).show(ui, |ui| {
+            ui.set_height(height);
+            ui.heading("Pole map");
+            self.poles_ui(ui);
+        });
+    }
+
+    fn response_pane_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        theme::pane(Palette::of(ui)).show(ui, |ui| {
+            ui.set_min_height(ui.available_height().max(320.0) - 2.0);
+            self.responses_ui(ui, rows);
+        });
+    }
+
+    fn poles_ui(&mut self, ui: &mut Ui) {
+        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        match self.memo.refresh(&self.scenario) {
+            Ok(analysis) => self.view.poles.show(ui, &analysis.modes, ghost),
+            Err(error) => error_ui(ui, error),
+        }
+    }
+
+    fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        // Its controls edit the scenario, so it gets a copy of the analysis' answer only through the memo.
+        let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
+        match memo.refresh(scenario) {
+            Ok(analysis) => {
+                let ghost = ghost.as_ref().zip(ghost_memo.analysis()).and_then(|(ghost, analysis)| {
+                    Some(Studied { scenario: &ghost.scenario, analysis: analysis.as_ref().ok()? })
+                });
+                view.responses.show(ui, scenario, analysis, ghost, rows);
+            }
+            Err(error) => error_ui(ui, error),
+        }
+    }
+
+    /// Verdicts, the warning about units where there is one, and a card for each mode.
+    fn modes_ui(&mut self, ui: &mut Ui) -> Option<Action> {
+        let palette = Palette::of(ui);
+        for error in &self.content_errors {
+            banner_ui(ui, &format!("An aircraft could not be read: {error}"), palette.warning, palette.warning_ground);
+        }
+        let analysis = match self.memo.refresh(&self.scenario) {
+            Ok(analysis) => analysis,
+            Err(error) => {
+                error_ui(ui, error);
+                return None;
+            }
+        };
+        let mut action = None;
+        verdicts_ui(ui, analysis, self.scenario.aircraft.length_unit);
+        if let Some(warning) = units_warning(analysis) {
+            banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
+            let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson");
+            if let Some(aircraft) = same_unit.filter(|_| self.ghost.is_none())
+                && ui.button("Compare with gravity in the same unit").clicked()
+            {
+                action = Some(Action::CompareWith(aircraft.clone()));
+            }
+        }
+        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        for mode in &analysis.modes {
+            let before = ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
+            card_ui(ui, mode, before);
+        }
+        action
+    }
+
+    fn apply(&mut self, action: Action) {
+        match action {
+            Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
+            Action::Pin => self.ghost = Some(Ghost { name: self.name(), scenario: self.scenario.clone() }),
+            Action::CompareWith(aircraft) => {
+                self.ghost =
+                    Some(Ghost { name: aircraft.name.clone(), scenario: self.scenario.with_aircraft(aircraft) });
+            }
+            Action::Unpin => self.ghost = None,
+            Action::Undo => {
+                if let Some(before) = self.history.undo(&self.scenario) {
+                    self.scenario = before.clone();
+                }
+            }
+            Action::Redo => {
+                if let Some(after) = self.history.redo(&self.scenario) {
+                    self.scenario = after.clone();
+                }
+            }
+        }
+    }
+
+    fn name(&self) -> String {
+        let edited = if self.scenario.is_edited() { ", edited" } else { "" };
+        format!("{}{edited}", self.scenario.aircraft.name)
+    }
+}
+
+fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> {
+    ghost?;
+    memo.analysis()?.as_ref().ok().map(|analysis| analysis.modes.as_slice())
+}
+
+fn error_ui(ui: &mut Ui, error: &AnalysisError) {
+    let palette = Palette::of(ui);
+    ui.label(RichText::new(format!("⚠ This can't be analysed: {error}.")).color(palette.bad));
+}
+
+fn shortcuts(ui: &Ui) -> Option<Action> {
+    ui.input_mut(|input| {
+        if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || input.consume_key(Modifiers::COMMAND, Key::Y) {
+            Some(Action::Redo)
+        } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
+            Some(Action::Undo)
+        } else {
+            None
+        }
+    })
+}

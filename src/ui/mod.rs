@@ -1,0 +1,21 @@
+//! What is on screen: one file for each thing. Views read an [`Analysis`](crate::flight::Analysis) and never
+//! compute one; controls edit the [`Scenario`](crate::scenario::Scenario) and nothing else.
+
+mod app;
+mod axis_range;
+mod derivatives;
+mod fonts;
+mod memo;
+mod mode_cards;
+mod number_field;
+mod pole_grid;
+mod pole_labels;
+mod pole_map;
+mod response_plot;
+mod responses;
+mod slider;
+mod symbol;
+mod theme;
+mod top_bar;
+
+pub use app::App;

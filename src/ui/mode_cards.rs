@@ -1,0 +1,212 @@
+//! A card for each mode, and the two verdicts above them.
+
+use egui::{Align, Color32, Frame, Layout, Margin, Rect, RichText, Stroke, Ui, Vec2};
+
+use super::pole_map::eigenvalue;
+use super::symbol::Symbol;
+use super::theme::{self, Palette};
+use crate::content::LengthUnit;
+use crate::flight::Analysis;
+use crate::flight::linear::Longitudinal;
+use crate::flight::modes::{DynamicStability, Mode};
+use crate::flight::static_stability::StaticVerdict;
+use crate::number::significant;
+use crate::scenario::Dimension;
+
+/// The verdicts: dynamic, then static, each with its number.
+pub fn verdicts_ui(ui: &mut Ui, analysis: &Analysis, length: LengthUnit) {
+    let dynamic = match analysis.dynamic_stability {
+        DynamicStability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
+        DynamicStability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
+        DynamicStability::Unstable => {
+            let growing: Vec<String> = analysis
+                .modes
+                .iter()
+                .filter_map(|mode| {
+                    let doubles = mode.time_to_double()?;
+                    let name = mode.naming.name.text().to_lowercase();
+                    Some(format!("the {name} doubles every {} s", significant(doubles, 2)))
+                })
+                .collect();
+            format!("Dynamically unstable: {}", growing.join(", "))
+        }
+    };
+    verdict_ui(ui, &dynamic, analysis.dynamic_stability);
+
+    let stiffness = &analysis.static_stability;
+    let (word, relation, stability) = match stiffness.verdict {
+        StaticVerdict::Stable => ("Statically stable", ">", DynamicStability::Stable),
+        StaticVerdict::Neutral => ("Statically neutral", "≈", DynamicStability::Neutral),
+        StaticVerdict::Unstable => ("Statically unstable", "<", DynamicStability::Unstable),
+    };
+    let m_w = stiffness.m_w / Dimension::PerLengthSecond.in_si(length);
+    let text = format!(
+        "{word}: det A = {} {relation} 0, pitch stiffness {} {}",
+        significant(stiffness.determinant, 3),
+        significant(m_w, 3),
+        Dimension::PerLengthSecond.symbol(length),
+    );
+    verdict_ui(ui, &text, stability);
+}
+
+fn verdict_ui(ui: &mut Ui, text: &str, stability: DynamicStability) {
+    let (color, ground) = Palette::of(ui).verdict(stability);
+    banner_ui(ui, text, color, ground);
+}
+
+/// A sentence on coloured ground, as wide as there is room.
+pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) {
+    Frame::new().fill(ground).corner_radius(8).inner_margin(Margin::symmetric(10, 7)).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.label(RichText::new(text).font(theme::semibold(12.0)).color(color));
+    });
+}
+
+/// The sentence that gravity and speed don't belong to one system of units, where they don't.
+pub fn units_warning(analysis: &Analysis) -> Option<String> {
+    let gravity = analysis.gravity;
+    if gravity.is_plausible() {
+        return None;
+    }
+    let ratio = gravity.rate / gravity.expected_rate;
+    let compared = if ratio > 1.0 {
+        format!("{} times too strong", significant(ratio, 3))
+    } else {
+        format!("{} of what it is on Earth", significant(ratio, 3))
+    };
+    Some(format!(
+        "Gravity and speed don't belong to one unit system: g/U₀ = {} 1/s, where Earth's gravity at this speed \
+         gives {} 1/s. Gravity is {compared}.",
+        significant(gravity.rate, 2),
+        significant(gravity.expected_rate, 2),
+    ))
+}
+
+/// One mode's card; `before` is the same mode of the pinned state.
+pub fn card_ui(ui: &mut Ui, mode: &Mode, before: Option<&Mode>) {
+    let palette = Palette::of(ui);
+    let color = palette.mode(mode.naming.name);
+    let card = Frame::new()
+        .fill(palette.pane)
+        .stroke(Stroke::new(1.0, palette.hairline))
+        .corner_radius(8)
+        .inner_margin(Margin { left: 15, right: 10, top: 8, bottom: 9 })
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            ui.horizontal(|ui| {
+                ui.label(RichText::new(mode.naming.name.text()).heading().size(14.0).color(color));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chip_ui(ui, mode));
+            });
+            numbers_ui(ui, mode);
+            participation_ui(ui, mode, color);
+            ui.label(RichText::new(&mode.naming.reason).font(theme::small()).color(palette.weak));
+            if let Some(before) = before {
+                ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
+            }
+        });
+    let rect = card.response.rect;
+    let bar = Rect::from_min_size(rect.min, Vec2::new(4.0, rect.height()));
+    ui.painter().rect_filled(bar, egui::CornerRadius { nw: 8, sw: 8, ne: 0, se: 0 }, color);
+}
+
+/// "Stable", or how fast it grows.
+fn chip_ui(ui: &mut Ui, mode: &Mode) {
+    let (color, ground) = Palette::of(ui).verdict(mode.stability);
+    let text = match mode.stability {
+        DynamicStability::Stable => "stable",
+        DynamicStability::Neutral => "neutral",
+        DynamicStability::Unstable => "unstable",
+    };
+    Frame::new().fill(ground).corner_radius(7).inner_margin(Margin::symmetric(7, 2)).show(ui, |ui| {
+        ui.label(RichText::new(text).font(theme::semibold(11.0)).color(color));
+    });
+}
+
+/// One number of a card: symbol, text with its unit, and what it is.
+type Entry = (&'static str, Option<String>, &'static str);
+
+fn numbers_ui(ui: &mut Ui, mode: &Mode) {
+    let seconds = |t: f64| format!("{} s", significant(t, 3));
+    let rate = |w: f64| format!("{} rad/s", significant(w, 3));
+    let growth: Entry = if mode.stability == DynamicStability::Unstable {
+        ("t_2", mode.time_to_double().map(seconds), "Time to double the amplitude, ln 2/σ")
+    } else {
+        ("t_½", mode.time_to_half().map(seconds), "Time to half the amplitude, ln 2/|σ|")
+    };
+    let cycles = if mode.stability == DynamicStability::Unstable {
+        ("N_2", "Oscillations until the amplitude has doubled")
+    } else {
+        ("N_½", "Oscillations until the amplitude has halved")
+    };
+    let entries: [Entry; 7] = [
+        ("ω_n", mode.natural_frequency().map(rate), "Undamped natural frequency, |λ|"),
+        ("ζ", mode.damping_ratio().map(|z| significant(z, 3)), "Damping ratio, −σ/ω_n; negative when the motion grows"),
+        ("ω_d", mode.damped_frequency().map(rate), "Damped frequency, |Im λ|"),
+        ("T", mode.period().map(seconds), "Period, 2π/ω_d"),
+        growth,
+        (cycles.0, mode.cycles().map(|n| significant(n, 2)), cycles.1),
+        ("τ", mode.time_constant().map(seconds), "Time constant, −1/λ"),
+    ];
+    let eigenvalue = format!("{} 1/s", eigenvalue(mode));
+    entry_ui(ui, ui.available_width(), &("λ", Some(eigenvalue), "Eigenvalue σ ± jω: growth and frequency"));
+    let shown: Vec<&Entry> = entries.iter().filter(|entry| entry.1.is_some()).collect();
+    for pair in shown.chunks(2) {
+        ui.horizontal(|ui| {
+            let width = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x);
+            for entry in pair {
+                entry_ui(ui, width, entry);
+            }
+        });
+    }
+}
+
+fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
+    let Some(text) = text else { return };
+    let palette = Palette::of(ui);
+    let size = Vec2::new(width, 18.0);
+    let response = ui
+        .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(width);
+            ui.spacing_mut().item_spacing.x = 0.0;
+            let (place, _) = ui.allocate_exact_size(Vec2::new(26.0, 18.0), egui::Sense::hover());
+            let galley = ui.painter().layout_job(Symbol::parse(symbol).job(13.5, palette.weak));
+            let at = egui::pos2(place.left(), place.center().y - 0.5 * galley.size().y);
+            ui.painter().galley(at, galley, palette.weak);
+            ui.label(RichText::new(text).font(theme::semibold(12.0)));
+        })
+        .response;
+    response.on_hover_text(*meaning);
+}
+
+/// Four segments as wide as the participation of each state.
+fn participation_ui(ui: &mut Ui, mode: &Mode, color: Color32) {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
+    let mut x = rect.left();
+    let mut words = Vec::new();
+    for (state, (symbol, strength)) in Longitudinal::ALL.into_iter().zip([("u", 0.9), ("α", 0.75), ("q", 0.9), ("θ", 0.75)]) {
+        let share = mode.share(state);
+        let width = rect.width() * share as f32;
+        let segment = Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));
+        ui.painter().rect_filled(segment, 3.0, color.gamma_multiply(strength));
+        if width > 26.0 {
+            let text = format!("{symbol} {:.0}", 100.0 * share);
+            ui.painter().text(segment.center(), egui::Align2::CENTER_CENTER, text, theme::semibold(10.0), palette.pane);
+        }
+        words.push(format!("{symbol} {:.1} %", 100.0 * share));
+        x += width;
+    }
+    let words = format!("Participation of the states: {}", words.join(", "));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::WidgetType::Image, true, words.as_str()));
+    response.on_hover_text(words.clone());
+}
+
+/// What became of a mode since it was pinned, in its two telling numbers.
+fn change(before: &Mode, now: &Mode) -> String {
+    let arrow = |symbol: &str, unit: &str, a: f64, b: f64| format!("{symbol} {} → {}{unit}", significant(a, 3), significant(b, 3));
+    let zeta = before.damping_ratio().zip(now.damping_ratio()).map(|(a, b)| arrow("ζ", "", a, b));
+    let period = before.period().zip(now.period()).map(|(a, b)| arrow("T", " s", a, b));
+    let real = (zeta.is_none()).then(|| arrow("σ", " 1/s", before.lambda.re, now.lambda.re));
+    let parts: Vec<String> = [zeta, period, real].into_iter().flatten().collect();
+    format!("Since pinned: {}", parts.join(", "))
+}

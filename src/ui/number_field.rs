@@ -1,0 +1,93 @@
+//! A number that can be typed. What can't be used is refused in one sentence, and what was typed stays.
+
+use egui::text::{CCursor, CCursorRange};
+use egui::{Align, FontId, Id, Key, Response, TextEdit, Ui};
+
+use super::theme::Palette;
+use crate::scenario::ValueError;
+
+/// What a person is typing, or has typed in vain.
+#[derive(Clone, Debug)]
+struct Draft {
+    text: String,
+    refusal: Option<String>,
+    /// The number beside which it was typed: once that has changed, the draft is void.
+    beside: String,
+}
+
+/// What came of one frame.
+#[derive(Debug)]
+pub struct NumberField {
+    /// The field.
+    pub response: Response,
+    /// A number that was typed and accepted.
+    pub accepted: Option<f64>,
+    /// Why what was typed is refused, until it is mended or given up with Escape.
+    pub refusal: Option<String>,
+}
+
+/// Draws a field that shows `shown`; on Enter or when left, what was typed goes through `read`.
+pub fn number_field_ui(
+    ui: &mut Ui,
+    id: Id,
+    name: &str,
+    shown: &str,
+    width: f32,
+    read: impl FnOnce(&str) -> Result<f64, ValueError>,
+) -> NumberField {
+    let palette = Palette::of(ui);
+    let mut draft: Option<Draft> = ui.data(|data| data.get_temp::<Draft>(id)).filter(|draft| draft.beside == shown);
+    let mut text = draft.as_ref().map_or_else(|| shown.to_owned(), |draft| draft.text.clone());
+    let refused = draft.as_ref().is_some_and(|draft| draft.refusal.is_some());
+
+    let output = TextEdit::singleline(&mut text)
+        .id(id)
+        .desired_width(width)
+        .horizontal_align(Align::RIGHT)
+        .font(FontId::proportional(12.5))
+        .margin(egui::Margin::symmetric(4, 3))
+        .text_color(if refused { palette.bad } else { palette.text })
+        .char_limit(32)
+        .show(ui);
+    let mut response = output.response.response.accessible_name(name);
+    if response.gained_focus() {
+        let mut state = output.state;
+        let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+        state.cursor.set_char_range(Some(all));
+        state.store(ui.ctx(), id);
+    }
+    if response.changed() {
+        draft = Some(Draft { text: text.clone(), refusal: None, beside: shown.to_owned() });
+    }
+
+    let mut accepted = None;
+    if response.lost_focus() {
+        if ui.input(|input| input.key_pressed(Key::Escape)) {
+            draft = None;
+        } else if let Some(typed) = draft.as_mut() {
+            match read(&typed.text) {
+                Ok(value) => {
+                    accepted = Some(value);
+                    draft = None;
+                    response.mark_changed();
+                }
+                Err(error) => typed.refusal = Some(sentence(&error)),
+            }
+        }
+    }
+    let refusal = draft.as_ref().and_then(|draft| draft.refusal.clone());
+    ui.data_mut(|data| match draft {
+        Some(draft) => data.insert_temp(id, draft),
+        None => data.remove::<Draft>(id),
+    });
+    NumberField { response, accepted, refusal }
+}
+
+fn sentence(error: &ValueError) -> String {
+    let text = error.to_string();
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).chain(['.']).collect(),
+        None => text,
+    }
+}

@@ -1,0 +1,176 @@
+//! A slider that knows where its reference is: rail, tick at the reference, handle. The wheel does not move it.
+
+use std::ops::RangeInclusive;
+
+use egui::accesskit::{Action, ActionData};
+use egui::{EventFilter, Key, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, emath};
+
+use super::theme::Palette;
+
+/// Fine steps from one end to the other.
+const FINE_STEPS: f64 = 200.0;
+/// Coarse steps, with Shift or the page keys.
+const COARSE: f64 = 10.0;
+const HANDLE_RADIUS: f32 = 6.0;
+
+/// A slider in the unit in which its value is shown.
+#[derive(Debug)]
+pub struct ReferenceSlider<'a> {
+    /// Name for screen readers and tests.
+    pub name: &'a str,
+    /// The value and its unit in words, for screen readers.
+    pub value_text: String,
+    /// Value.
+    pub value: f64,
+    /// Reach of the rail; the value may lie outside.
+    pub range: RangeInclusive<f64>,
+    /// Where the tick stands, and where a double click or Delete goes.
+    pub reference: f64,
+}
+
+impl ReferenceSlider<'_> {
+    /// Draws it and gives the value that the person has set, if any.
+    pub fn show(&self, ui: &mut Ui, size: Vec2) -> (Response, Option<f64>) {
+        let (rect, mut response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+        let asked = self.by_pointer(&response, rect).or_else(|| self.by_key(ui, &response)).or_else(|| self.by_request(ui, &response));
+        let asked = if response.double_clicked() { Some(self.reference) } else { asked };
+        let new = asked.filter(|&value| value != self.value);
+        if new.is_some() {
+            response.mark_changed();
+        }
+        if response.drag_started() || response.clicked() {
+            response.request_focus();
+        }
+        self.tell(ui, &response);
+        self.paint(ui, &response, rect, new.unwrap_or(self.value));
+        (response, new)
+    }
+
+    fn span(&self) -> f64 {
+        self.range.end() - self.range.start()
+    }
+
+    /// A step of 1, 2 or 5 × 10ᵏ, so that steps end on numbers a person can read.
+    fn step(&self) -> f64 {
+        let raw = self.span() / FINE_STEPS;
+        let decade = 10_f64.powf(raw.log10().floor());
+        let digit = raw / decade;
+        decade * if digit < 1.5 { 1.0 } else if digit < 3.5 { 2.0 } else if digit < 7.5 { 5.0 } else { 10.0 }
+    }
+
+    fn rail(rect: Rect) -> (f32, f32) {
+        (rect.left() + HANDLE_RADIUS + 1.0, rect.right() - HANDLE_RADIUS - 1.0)
+    }
+
+    fn x_of(&self, rect: Rect, value: f64) -> f32 {
+        let (left, right) = Self::rail(rect);
+        let fraction = ((value - self.range.start()) / self.span()).clamp(0.0, 1.0);
+        left + fraction as f32 * (right - left)
+    }
+
+    fn value_at(&self, rect: Rect, x: f32) -> f64 {
+        let (left, right) = Self::rail(rect);
+        let fraction = f64::from((x - left) / (right - left)).clamp(0.0, 1.0);
+        self.range.start() + fraction * self.span()
+    }
+
+    /// The roundest number under the pointer, and the reference itself when the pointer is upon its tick.
+    fn by_pointer(&self, response: &Response, rect: Rect) -> Option<f64> {
+        let x = response.interact_pointer_pos()?.x;
+        if (x - self.x_of(rect, self.reference)).abs() < 1.5 {
+            return Some(self.reference);
+        }
+        Some(emath::smart_aim::best_in_range_f64(self.value_at(rect, x - 0.5), self.value_at(rect, x + 0.5)))
+    }
+
+    fn by_key(&self, ui: &Ui, response: &Response) -> Option<f64> {
+        if !response.has_focus() {
+            return None;
+        }
+        let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+        ui.input(|input| {
+            let presses = |key| f64::from(input.num_presses(key) as u32);
+            let arrows = presses(Key::ArrowRight) + presses(Key::ArrowUp)
+                - presses(Key::ArrowLeft) - presses(Key::ArrowDown);
+            let pages = presses(Key::PageUp) - presses(Key::PageDown);
+            let steps = if input.modifiers.shift { COARSE * arrows } else { arrows } + COARSE * pages;
+            if input.key_pressed(Key::Home) {
+                Some(*self.range.start())
+            } else if input.key_pressed(Key::End) {
+                Some(*self.range.end())
+            } else if input.key_pressed(Key::Delete) || input.key_pressed(Key::Backspace) {
+                Some(self.reference)
+            } else {
+                self.stepped(steps)
+            }
+        })
+    }
+
+    fn by_request(&self, ui: &Ui, response: &Response) -> Option<f64> {
+        ui.input(|input| {
+            let set = input
+                .accesskit_action_requests(response.id, Action::SetValue)
+                .filter_map(|request| match request.data {
+                    Some(ActionData::NumericValue(value)) if value.is_finite() => {
+                        Some(value.clamp(*self.range.start(), *self.range.end()))
+                    }
+                    _ => None,
+                })
+                .last();
+            let steps = input.num_accesskit_action_requests(response.id, Action::Increment) as f64
+                - input.num_accesskit_action_requests(response.id, Action::Decrement) as f64;
+            set.or_else(|| self.stepped(steps))
+        })
+    }
+
+    /// Moves by steps along a grid of round numbers; a step stops at the end of the rail, and from outside the
+    /// rail it never jumps inwards past the end.
+    fn stepped(&self, steps: f64) -> Option<f64> {
+        if steps == 0.0 {
+            return None;
+        }
+        let step = self.step();
+        let next = ((self.value / step).round() + steps) * step;
+        let low = self.range.start().min(self.value);
+        let high = self.range.end().max(self.value);
+        Some(next.clamp(low, high))
+    }
+
+    fn tell(&self, ui: &Ui, response: &Response) {
+        response.widget_info(|| WidgetInfo::slider(ui.is_enabled(), self.value, self.name));
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_value(self.value_text.as_str());
+            node.set_min_numeric_value(self.range.start().min(self.value));
+            node.set_max_numeric_value(self.range.end().max(self.value));
+            node.set_numeric_value_step(self.step());
+            node.add_action(Action::SetValue);
+            node.add_action(Action::Increment);
+            node.add_action(Action::Decrement);
+        });
+    }
+
+    fn paint(&self, ui: &Ui, response: &Response, rect: Rect, value: f64) {
+        let palette = Palette::of(ui);
+        let painter = ui.painter();
+        let (left, right) = Self::rail(rect);
+        let y = rect.center().y;
+        let (x, tick) = (self.x_of(rect, value), self.x_of(rect, self.reference));
+        painter.hline(left..=right, y, Stroke::new(3.0, palette.hairline));
+        // The fill runs from the reference: how far, and which way, this has been moved.
+        painter.hline(tick.min(x)..=tick.max(x), y, Stroke::new(3.0, palette.accent));
+        painter.vline(tick, y - 6.5..=y + 6.5, Stroke::new(1.5, palette.ghost));
+        let outside = !self.range.contains(&value);
+        let line = if outside { palette.bad } else { palette.strong };
+        let held = response.is_pointer_button_down_on() || response.hovered();
+        painter.circle(
+            egui::pos2(x, y),
+            if held { HANDLE_RADIUS + 1.0 } else { HANDLE_RADIUS },
+            palette.pane,
+            Stroke::new(2.0, line),
+        );
+        if response.has_focus() {
+            painter.circle_stroke(egui::pos2(x, y), HANDLE_RADIUS + 3.5, Stroke::new(2.0, palette.accent));
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Colours by meaning, spacing and type, in one place.
+//!
+//! The colours of the modes are those of Okabe & Ito (2008), told apart with any colour vision; in the dark
+//! palette they are lightened. Colour never stands alone: a mode also has its name.
+
+use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Theme, Ui, Vec2};
+
+use super::fonts;
+use crate::flight::modes::DynamicStability;
+use crate::flight::naming::ModeName;
+
+/// Height of a control that a finger may have to hit \[points\].
+pub const TOUCH_HEIGHT: f32 = 44.0;
+
+/// The colours of one theme.
+#[derive(Debug)]
+pub struct Palette {
+    /// Behind the panes.
+    pub background: Color32,
+    /// A pane.
+    pub pane: Color32,
+    /// A field or button on a pane.
+    pub field: Color32,
+    /// Lines between things.
+    pub hairline: Color32,
+    /// Text.
+    pub text: Color32,
+    /// Text that explains.
+    pub weak: Color32,
+    /// The chosen one of several; the handle of a slider.
+    pub strong: Color32,
+    /// Text on `strong`.
+    pub on_strong: Color32,
+    /// The filled part of a slider, what has focus.
+    pub accent: Color32,
+    /// The pinned state to compare with.
+    pub ghost: Color32,
+    /// Left half of the pole map.
+    pub stable_half: Color32,
+    /// Right half of the pole map.
+    pub unstable_half: Color32,
+    /// Good news, as text.
+    pub good: Color32,
+    /// Good news, as ground.
+    pub good_ground: Color32,
+    /// Bad news, as text.
+    pub bad: Color32,
+    /// Bad news, as ground.
+    pub bad_ground: Color32,
+    /// A warning, as text.
+    pub warning: Color32,
+    /// A warning, as ground.
+    pub warning_ground: Color32,
+    short_period: Color32,
+    short_period_slow: Color32,
+    phugoid: Color32,
+    phugoid_slow: Color32,
+    third_mode: Color32,
+    divergence: Color32,
+}
+
+const LIGHT: Palette = Palette {
+    background: Color32::from_rgb(0xf3, 0xf5, 0xf8),
+    pane: Color32::WHITE,
+    field: Color32::from_rgb(0xf6, 0xf8, 0xfa),
+    hairline: Color32::from_rgb(0xdc, 0xe3, 0xea),
+    text: Color32::from_rgb(0x1f, 0x2d, 0x3a),
+    weak: Color32::from_rgb(0x5b, 0x68, 0x76),
+    strong: Color32::from_rgb(0x22, 0x30, 0x3c),
+    on_strong: Color32::WHITE,
+    accent: Color32::from_rgb(0x7a, 0x9b, 0xb8),
+    ghost: Color32::from_rgb(0x8a, 0x97, 0xa5),
+    stable_half: Color32::from_rgb(0xed, 0xf7, 0xf3),
+    unstable_half: Color32::from_rgb(0xfd, 0xf1, 0xec),
+    good: Color32::from_rgb(0x0a, 0x5f, 0x45),
+    good_ground: Color32::from_rgb(0xe3, 0xf4, 0xed),
+    bad: Color32::from_rgb(0xa3, 0x2a, 0x12),
+    bad_ground: Color32::from_rgb(0xfd, 0xe9, 0xe2),
+    warning: Color32::from_rgb(0x7a, 0x4d, 0x00),
+    warning_ground: Color32::from_rgb(0xff, 0xf3, 0xd9),
+    short_period: Color32::from_rgb(0x00, 0x72, 0xb2),
+    short_period_slow: Color32::from_rgb(0x2f, 0x8f, 0xcb),
+    phugoid: Color32::from_rgb(0xd5, 0x5e, 0x00),
+    phugoid_slow: Color32::from_rgb(0xb8, 0x7a, 0x00),
+    third_mode: Color32::from_rgb(0x00, 0x8a, 0x65),
+    divergence: Color32::from_rgb(0xb0, 0x4a, 0x84),
+};
+
+const DARK: Palette = Palette {
+    background: Color32::from_rgb(0x0e, 0x12, 0x17),
+    pane: Color32::from_rgb(0x16, 0x1c, 0x23),
+    field: Color32::from_rgb(0x1e, 0x26, 0x2f),
+    hairline: Color32::from_rgb(0x2c, 0x36, 0x41),
+    text: Color32::from_rgb(0xe4, 0xea, 0xf0),
+    weak: Color32::from_rgb(0x9a, 0xa8, 0xb6),
+    strong: Color32::from_rgb(0xd6, 0xe1, 0xec),
+    on_strong: Color32::from_rgb(0x16, 0x1c, 0x23),
+    accent: Color32::from_rgb(0x4f, 0x7d, 0xa3),
+    ghost: Color32::from_rgb(0x7d, 0x8b, 0x9a),
+    stable_half: Color32::from_rgb(0x14, 0x24, 0x22),
+    unstable_half: Color32::from_rgb(0x2b, 0x1d, 0x1b),
+    good: Color32::from_rgb(0x7d, 0xd9, 0xb5),
+    good_ground: Color32::from_rgb(0x12, 0x32, 0x29),
+    bad: Color32::from_rgb(0xff, 0xa3, 0x8a),
+    bad_ground: Color32::from_rgb(0x40, 0x1f, 0x18),
+    warning: Color32::from_rgb(0xf5, 0xc8, 0x6a),
+    warning_ground: Color32::from_rgb(0x37, 0x2b, 0x12),
+    short_period: Color32::from_rgb(0x56, 0xb4, 0xe9),
+    short_period_slow: Color32::from_rgb(0x8c, 0xcd, 0xf2),
+    phugoid: Color32::from_rgb(0xff, 0x8b, 0x3d),
+    phugoid_slow: Color32::from_rgb(0xe6, 0xb0, 0x2e),
+    third_mode: Color32::from_rgb(0x2f, 0xc9, 0x9a),
+    divergence: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+};
+
+impl Palette {
+    /// The palette of the theme in force.
+    pub fn of(ui: &Ui) -> &'static Self {
+        if ui.visuals().dark_mode { &DARK } else { &LIGHT }
+    }
+
+    /// The one colour of a mode, wherever it is shown.
+    pub const fn mode(&self, name: ModeName) -> Color32 {
+        match name {
+            ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
+            ModeName::ShortPeriodSlowRoot => self.short_period_slow,
+            ModeName::Phugoid | ModeName::PhugoidFastRoot => self.phugoid,
+            ModeName::PhugoidSlowRoot => self.phugoid_slow,
+            ModeName::ThirdOscillatory => self.third_mode,
+            ModeName::Divergence => self.divergence,
+        }
+    }
+
+    /// Text and ground of a verdict.
+    pub const fn verdict(&self, stability: DynamicStability) -> (Color32, Color32) {
+        match stability {
+            DynamicStability::Stable => (self.good, self.good_ground),
+            DynamicStability::Neutral => (self.warning, self.warning_ground),
+            DynamicStability::Unstable => (self.bad, self.bad_ground),
+        }
+    }
+}
+
+/// Text that explains, one size down.
+pub fn small() -> FontId {
+    FontId::proportional(11.5)
+}
+
+/// Semibold text of a size.
+pub fn semibold(size: f32) -> FontId {
+    FontId::new(size, fonts::bold())
+}
+
+/// Sets fonts, type sizes, spacing and both palettes. Called once at the start.
+pub fn install(ctx: &Context) {
+    ctx.set_fonts(fonts::definitions());
+    ctx.all_styles_mut(|style| {
+        style.text_styles = [
+            (TextStyle::Small, small()),
+            (TextStyle::Body, FontId::proportional(13.0)),
+            (TextStyle::Button, FontId::proportional(13.0)),
+            (TextStyle::Heading, semibold(13.0)),
+            (TextStyle::Monospace, FontId::new(13.0, FontFamily::Monospace)),
+        ]
+        .into();
+        style.spacing.item_spacing = Vec2::new(6.0, 4.0);
+        style.spacing.button_padding = Vec2::new(9.0, 5.0);
+        style.spacing.interact_size.y = 26.0;
+        style.spacing.menu_margin = Margin::same(6);
+        style.visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);
+        style.interaction.selectable_labels = false;
+    });
+    for (theme, palette) in [(Theme::Light, &LIGHT), (Theme::Dark, &DARK)] {
+        ctx.style_mut_of(theme, |style| paint_style(&mut style.visuals, palette));
+    }
+}
+
+fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
+    visuals.panel_fill = palette.background;
+    visuals.window_fill = palette.pane;
+    visuals.window_stroke = Stroke::new(1.0, palette.hairline);
+    visuals.extreme_bg_color = palette.pane;
+    visuals.faint_bg_color = palette.field;
+    visuals.weak_text_color = Some(palette.weak);
+    visuals.error_fg_color = palette.bad;
+    visuals.warn_fg_color = palette.warning;
+    visuals.hyperlink_color = palette.short_period;
+    visuals.selection.bg_fill = palette.strong;
+    visuals.selection.stroke = Stroke::new(1.0, palette.on_strong);
+    visuals.popup_shadow.color = Color32::from_black_alpha(30);
+    let widgets = &mut visuals.widgets;
+    for (style, fill, line) in [
+        (&mut widgets.noninteractive, palette.pane, palette.hairline),
+        (&mut widgets.inactive, palette.pane, palette.hairline),
+        (&mut widgets.hovered, palette.field, palette.accent),
+        (&mut widgets.active, palette.field, palette.strong),
+        (&mut widgets.open, palette.field, palette.accent),
+    ] {
+        style.bg_fill = fill;
+        style.weak_bg_fill = fill;
+        style.bg_stroke = Stroke::new(1.0, line);
+        style.fg_stroke = Stroke::new(1.0, palette.text);
+        style.corner_radius = CornerRadius::same(6);
+        style.expansion = 0.0;
+    }
+}
+
+/// A pane: white ground with a hairline.
+pub fn pane(palette: &Palette) -> egui::Frame {
+    egui::Frame::new()
+        .fill(palette.pane)
+        .stroke(Stroke::new(1.0, palette.hairline))
+        .corner_radius(8)
+        .inner_margin(Margin::symmetric(12, 9))
+}

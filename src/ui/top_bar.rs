@@ -1,0 +1,99 @@
+//! The top bar: which aircraft, what to compare with, back and forth, theme.
+
+use std::sync::Arc;
+
+use egui::{Align, Button, ComboBox, Layout, RichText, Theme, Ui};
+
+use super::app::{Action, Ghost};
+use super::theme::{self, Palette};
+use crate::content::{Aircraft, Status};
+use crate::scenario::Scenario;
+
+/// What the bar has to know beside the scenario.
+#[derive(Clone, Copy, Debug)]
+pub struct Bar<'a> {
+    /// Every aircraft that can be chosen.
+    pub aircraft: &'a [Arc<Aircraft>],
+    /// The scenario on screen.
+    pub scenario: &'a Scenario,
+    /// The pinned state, if any.
+    pub ghost: Option<&'a Ghost>,
+    /// Whether there is something to undo and to redo.
+    pub history: (bool, bool),
+    /// Whether there is little room.
+    pub narrow: bool,
+}
+
+/// Draws the bar and gives what the person asked for.
+pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
+    let mut action = None;
+    ui.horizontal_wrapped(|ui| {
+        if !bar.narrow {
+            ui.label(RichText::new("Eigenwing").font(theme::semibold(17.0)));
+            ui.add_space(6.0);
+        }
+        action = aircraft_ui(ui, bar);
+        status_ui(ui, &bar.scenario.aircraft);
+        let right = if bar.narrow { Layout::left_to_right(Align::Center) } else { Layout::right_to_left(Align::Center) };
+        let tools = |ui: &mut Ui| tools_ui(ui, bar);
+        action = ui.with_layout(right, tools).inner.or(action.take());
+    });
+    action
+}
+
+fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
+    let mut action = None;
+    let now = &bar.scenario.aircraft;
+    let chooser = ComboBox::from_id_salt("aircraft").width(if bar.narrow { 190.0 } else { 230.0 }).selected_text(&now.name);
+    let response = chooser
+        .show_ui(ui, |ui| {
+            for aircraft in bar.aircraft {
+                let text = format!("{} · {}", aircraft.name, aircraft.condition);
+                if ui.selectable_label(aircraft.key == now.key, text).clicked() {
+                    action = Some(Action::Load(aircraft.clone()));
+                }
+            }
+        })
+        .response;
+    response.accessible_name("Aircraft").on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
+    action
+}
+
+fn status_ui(ui: &mut Ui, aircraft: &Aircraft) {
+    let palette = Palette::of(ui);
+    let (text, color) = match aircraft.status {
+        Status::Verified => ("✓ verified", palette.good),
+        Status::Unverified => ("unverified", palette.warning),
+    };
+    ui.label(RichText::new(text).font(theme::small()).color(color)).on_hover_text(&aircraft.status_reason);
+}
+
+/// The tools, from the right edge inwards where there is room.
+fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
+    let mut action = None;
+    let dark = ui.visuals().dark_mode;
+    let theme = ui.add(Button::new(if dark { "☀" } else { "☾" }).frame(false));
+    let name = if dark { "Light theme" } else { "Dark theme" };
+    if theme.accessible_name(name).on_hover_text(name).clicked() {
+        ui.set_theme(if dark { Theme::Light } else { Theme::Dark });
+    }
+    let mut tool = |text: &str, name: &str, enabled: bool, asked: Action| {
+        let button = ui.add_enabled(enabled, Button::new(text).frame(false));
+        if button.accessible_name(name).on_hover_text(name).clicked() {
+            action = Some(asked);
+        }
+    };
+    tool("↷", "Redo", bar.history.1, Action::Redo);
+    tool("↶", "Undo", bar.history.0, Action::Undo);
+    match bar.ghost {
+        Some(ghost) => tool("Unpin", &format!("Unpin “{}”", ghost.name), true, Action::Unpin),
+        None => tool("Pin ghost", "Pin this state, to compare what comes next with it", true, Action::Pin),
+    }
+    if let Some(ghost) = bar.ghost
+        && !bar.narrow
+    {
+        let palette = Palette::of(ui);
+        ui.label(RichText::new(format!("○ ╌  pinned: {}", ghost.name)).font(theme::small()).color(palette.ghost));
+    }
+    action
+}
