@@ -16,4 +16,7 @@
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
 //! cannot show.
 
+pub mod eigen;
+pub mod inputs;
 pub mod linear;
+pub mod response;
