@@ -20,3 +20,4 @@ pub mod eigen;
 pub mod inputs;
 pub mod linear;
 pub mod response;
+mod schur;
