@@ -23,6 +23,7 @@ pub mod linear;
 pub mod modes;
 pub mod naming;
 pub mod response;
+mod schur;
 pub mod static_stability;
 
 pub use analysis::{Analysis, AnalysisError, Channel, Experiment, analyse};
