@@ -19,3 +19,5 @@
 //! A module may use those above it, never those below.
 
 pub mod flight;
+#[cfg(feature = "ui")]
+pub mod ui;
