@@ -17,6 +17,7 @@ The faces are renamed (Eigenwing Text, Maths, Signs), because they are not the o
 Licences: OFL-Inter.txt, OFL-STIX-Two.txt, LICENSE-DejaVu.txt beside this file.
 """
 
+import copy
 import shutil
 import sys
 from pathlib import Path
@@ -27,6 +28,7 @@ from fontTools.pens.boundsPen import BoundsPen
 from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.subset import Options, Subsetter
 from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables import otTables
 
 HERE = Path(__file__).resolve().parent
 
@@ -57,6 +59,9 @@ TABULAR = "0123456789+−×÷=<>≤≥≈≠±.,:"
 INTER_ASCENT = 1984 / 2048
 INTER_DESCENT = 494 / 2048
 
+# How far STIX Two Italic leans: the tangent of its 16 degrees.
+SLANT = 0.287
+
 KEPT_NAMES = [0, 1, 2, 3, 4, 5, 6, 13, 14]
 
 
@@ -70,6 +75,7 @@ def main(node_modules: Path) -> None:
         font = TTFont(inter / f"Inter-{weight}.woff2")
         lacking = "".join(c for c in TEXT if ord(c) not in font.getBestCmap())
         freeze_tabular_figures(font)
+        add_greek_to_dot_anchors(font)
         # Without `calt`: it turns "3x4" into a product and "->" into an arrow.
         cut(font, TEXT, ["kern", "mark", "ccmp"])
         rename(font, "Eigenwing Text", weight)
@@ -118,6 +124,48 @@ def freeze_tabular_figures(font: TTFont) -> None:
                 table.cmap[c] = tabular.get(table.cmap[c], table.cmap[c])
 
 
+def add_greek_to_dot_anchors(font: TTFont) -> None:
+    """Inter puts marks on Latin letters only: gives its small Greek letters a place for the dot as well."""
+    cmap, gpos = font.getBestCmap(), font["GPOS"].table
+    dot, x = cmap[ord(DOT_ABOVE)], cmap[ord("x")]
+    marks = [i for i, record in enumerate(gpos.FeatureList.FeatureRecord) if record.FeatureTag == "mark"]
+    for record in gpos.ScriptList.ScriptRecord:
+        if record.ScriptTag == "grek":
+            language = record.Script.DefaultLangSys
+            language.FeatureIndex = sorted({*language.FeatureIndex, *marks})
+            language.FeatureCount = len(language.FeatureIndex)
+    for lookup in gpos.LookupList.Lookup:
+        for subtable in lookup.SubTable:
+            subtable = getattr(subtable, "ExtSubTable", subtable)
+            if subtable.LookupType != 4 or dot not in subtable.MarkCoverage.glyphs or x not in subtable.BaseCoverage.glyphs:
+                continue
+            kind = subtable.MarkArray.MarkRecord[subtable.MarkCoverage.glyphs.index(dot)].Class
+            records = dict(zip(subtable.BaseCoverage.glyphs, subtable.BaseArray.BaseRecord))
+            at_x = records[x].BaseAnchor[kind]
+            for c in filter(str.islower, GREEK):
+                name = cmap[ord(c)]
+                left, _, right, top = box(font, name)
+                anchor = copy.deepcopy(at_x)
+                anchor.XCoordinate = round((left + right) / 2)
+                anchor.YCoordinate = round(at_x.YCoordinate + max(0, top - box(font, x)[3]))
+                record = otTables.BaseRecord()
+                record.BaseAnchor = [None] * subtable.ClassCount
+                record.BaseAnchor[kind] = anchor
+                records.setdefault(name, record)
+            names = sorted(records, key=font.getGlyphID)
+            subtable.BaseCoverage.glyphs = names
+            subtable.BaseArray.BaseRecord = [records[name] for name in names]
+            subtable.BaseArray.BaseCount = len(names)
+
+
+def box(font: TTFont, glyph: str) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of its ink."""
+    glyphs = font.getGlyphSet()
+    pen = BoundsPen(glyphs)
+    glyphs[glyph].draw(pen)
+    return pen.bounds
+
+
 def cut(font: TTFont, characters: str, features: list[str]) -> None:
     """Leaves only these characters and layout features, unhinted (egui hints by itself)."""
     options = Options()
@@ -145,11 +193,8 @@ def line_up(font: TTFont) -> None:
 
 def draw_pause_and_start(font: TTFont) -> None:
     """⏸ and ⏮, which DejaVu Sans lacks: bars as tall as its ▶."""
-    cmap, glyphs = font.getBestCmap(), font.getGlyphSet()
-    play = cmap[ord("▶")]
-    bounds = BoundsPen(glyphs)
-    glyphs[play].draw(bounds)
-    left, bottom, right, top = bounds.bounds
+    play = font.getBestCmap()[ord("▶")]
+    left, bottom, right, top = box(font, play)
     width, tall = right - left, top - bottom
     middle = (bottom + top) / 2
 
@@ -207,18 +252,13 @@ def stix_italic(files: Path) -> TTFont:
 
 def add_dot_anchors(font: TTFont, dot: str) -> None:
     """Writes the `mark` feature: where ẇ has its dot, relative to the letter, every other letter gets it."""
-    glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
-
-    def box(name: str) -> tuple[float, float, float, float]:
-        pen = BoundsPen(glyphs)
-        glyphs[name].draw(pen)
-        return pen.bounds
+    cmap = font.getBestCmap()
 
     def centre(name: str) -> float:
-        left, _, right, _ = box(name)
+        left, _, right, _ = box(font, name)
         return (left + right) / 2
 
-    x_height = box(cmap[ord("x")])[3]
+    x_height = box(font, cmap[ord("x")])[3]
     leans = []
     for dotted, letter in ("ẇw", "ẋx", "ẏy", "ṗp"):
         composite = font["glyf"][cmap[ord(dotted)]]
@@ -227,13 +267,13 @@ def add_dot_anchors(font: TTFont, dot: str) -> None:
     lean = sum(leans) / len(leans)
 
     lines = [f"markClass {dot} <anchor {round(centre(dot))} {round(x_height)}> @DOT;"]
-    # Once compiled, a mark's own width counts for nothing.
     bases = [c for c in ASCII + GREEK if c.isalpha()]
     rows = []
     for c in bases:
         name = cmap[ord(c)]
-        top = max(box(name)[3], x_height)
-        x = centre(name) + lean + 0.28 * (top - x_height) * (0.5 if top > 1.2 * x_height else 0)
+        top = max(box(font, name)[3], x_height)
+        # The middle of a taller letter is half as far to the right as its top leans.
+        x = centre(name) + lean + 0.5 * SLANT * (top - x_height)
         rows.append(f"  pos base {name} <anchor {round(x)} {round(top)}> mark @DOT;")
     classes = (
         f"table GDEF {{ GlyphClassDef [{' '.join(cmap[ord(c)] for c in bases)}], , [{dot}], ; }} GDEF;"
