@@ -21,7 +21,10 @@
 
 pub mod content;
 pub mod flight;
+<<<<<<< HEAD
 pub mod number;
 pub mod scenario;
+=======
+>>>>>>> mirror
 #[cfg(feature = "ui")]
 pub mod ui;
