@@ -21,10 +21,9 @@
 
 pub mod content;
 pub mod flight;
-<<<<<<< HEAD
 pub mod number;
 pub mod scenario;
-=======
->>>>>>> mirror
 #[cfg(feature = "ui")]
 pub mod ui;
+#[cfg(all(feature = "app", target_arch = "wasm32"))]
+pub mod web;
