@@ -97,9 +97,8 @@ mod tests {
                 assert!((view.glyph_width(&id, c) - zero).abs() < 1e-3, "{c} in {:?}", id.family);
             }
             // Nor does kerning part two figures differently.
-            let mut width = |text: &str| {
-                view.layout_no_wrap(text.to_owned(), id.clone(), Color32::WHITE).size().x
-            };
+            let mut width =
+                |text: &str| view.layout_no_wrap(text.to_owned(), id.clone(), Color32::WHITE).size().x;
             let even = width("0.000");
             for text in ["1.111", "7.777", "4.174", "1.741"] {
                 assert!((width(text) - even).abs() < 1e-3, "{text} in {:?}", id.family);

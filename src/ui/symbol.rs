@@ -1,4 +1,228 @@
-//! stub
-use egui::{Color32, FontId, text::{LayoutJob, TextFormat}};
-pub struct Symbol(String);
-impl Symbol { pub fn parse(s:&str)->Self{Self(s.to_owned())} pub fn plain(&self)->String{self.0.replace('_',"")} pub fn job(&self,size:f32,color:Color32)->LayoutJob{ let mut j=LayoutJob::default(); j.append(&self.plain(),0.0,TextFormat::simple(FontId::new(size,super::fonts::maths()),color)); j} }
+//! Symbols typeset: `C_mα` with an italic C and a lowered mα.
+//!
+//! The notation is what one would type in mail or TeX:
+//!
+//! | written | set as |
+//! |---|---|
+//! | letters, Greek or Latin | italic |
+//! | figures, operators, brackets | upright |
+//! | [words](WORDS) that stand alone | upright |
+//! | `_mα`, `_{L max}` | the letters and figures that follow, or what braces hold, lowered and smaller |
+//! | `^2`, `^{−1}` | the same, raised |
+//! | `-` | − |
+//! | a letter and U+0307, such as `α̇` | the letter with a dot above |
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, Color32, FontId};
+
+use super::fonts;
+
+/// Set upright, when they stand between what aren't Latin letters.
+const WORDS: [&str; 15] =
+    ["cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for"];
+
+const DOT_ABOVE: char = '\u{307}';
+
+// In sizes of the base.
+const SCRIPT_SIZE: f32 = 0.7;
+const SUBSCRIPT_DROP: f32 = 0.17;
+const SUPERSCRIPT_RISE: f32 = 0.36;
+/// Of the faces in [`fonts`]: what a line needs above and below its baseline.
+const ASCENT: f32 = 0.969;
+const DESCENT: f32 = 0.241;
+
+/// A symbol or a short formula in the notation of this module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Symbol<'a>(&'a str);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Level {
+    Base,
+    Lowered,
+    Raised,
+}
+
+/// What is set alike.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Piece {
+    text: String,
+    level: Level,
+    upright: bool,
+}
+
+impl<'a> Symbol<'a> {
+    /// Reads the notation of this module; every text is something.
+    pub fn parse(text: &'a str) -> Self {
+        Self(text)
+    }
+
+    /// Typeset, its base of this size.
+    pub fn job(&self, size: f32, color: Color32) -> LayoutJob {
+        let mut job = LayoutJob::default();
+        self.append_to(&mut job, size, color);
+        job
+    }
+
+    /// Typeset at the end of a text of the same size.
+    pub fn append_to(&self, job: &mut LayoutJob, size: f32, color: Color32) {
+        for Piece { text, level, upright } in self.pieces() {
+            let family = if upright { fonts::maths_upright() } else { fonts::maths() };
+            let font_size = if level == Level::Base { size } else { SCRIPT_SIZE * size };
+            // egui puts a small section's line at the bottom or the top of the row, and its text into the middle of
+            // that line: a line shorter than the text shifts it farther by half of the difference.
+            let (valign, shift) = match level {
+                Level::Base => (Align::BOTTOM, 0.0),
+                Level::Lowered => (Align::BOTTOM, SUBSCRIPT_DROP - DESCENT * (1.0 - SCRIPT_SIZE)),
+                Level::Raised => (Align::TOP, SUPERSCRIPT_RISE - ASCENT * (1.0 - SCRIPT_SIZE)),
+            };
+            let line_height = (shift != 0.0).then(|| font_size * (ASCENT + DESCENT) - 2.0 * shift * size);
+            let font_id = FontId::new(font_size, family);
+            job.append(&text, 0.0, TextFormat { font_id, color, valign, line_height, ..Default::default() });
+        }
+    }
+
+    /// As plain text, for an accessible name or a file: `C_mα`, `U_0 + Z_q`.
+    pub fn plain(&self) -> String {
+        let mut plain = String::new();
+        for Piece { text, level, .. } in self.pieces() {
+            match level {
+                Level::Base => {}
+                Level::Lowered => plain.push('_'),
+                Level::Raised => plain.push('^'),
+            }
+            plain.push_str(&text);
+        }
+        plain
+    }
+
+    fn pieces(&self) -> Vec<Piece> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        let mut rest = self.0;
+        while let Some(first) = rest.chars().next() {
+            let level = match first {
+                '_' => Level::Lowered,
+                '^' => Level::Raised,
+                _ => {
+                    let end = rest.find(['_', '^']).unwrap_or(rest.len());
+                    set(&rest[..end], Level::Base, &mut pieces);
+                    rest = &rest[end..];
+                    continue;
+                }
+            };
+            rest = &rest[1..];
+            let (script, after) = script(rest);
+            set(script, level, &mut pieces);
+            rest = after;
+        }
+        pieces
+    }
+}
+
+/// What is raised or lowered, and what follows it.
+fn script(text: &str) -> (&str, &str) {
+    if let Some((inner, after)) = text.strip_prefix('{').and_then(|text| text.split_once('}')) {
+        return (inner, after);
+    }
+    text.split_at(text.find(|c: char| !c.is_alphanumeric() && c != DOT_ABOVE).unwrap_or(text.len()))
+}
+
+/// Parts text into what is italic and what is upright.
+fn set(text: &str, level: Level, pieces: &mut Vec<Piece>) {
+    let mut rest = text;
+    while !rest.is_empty() {
+        let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+        let (part, upright) = if WORDS.contains(&&rest[..letters]) {
+            (&rest[..letters], true)
+        } else if letters > 0 {
+            (&rest[..letters], false)
+        } else {
+            // Up to the next Latin letter. Of the maths faces only the italic one has Greek, only the upright figures.
+            (&rest[..rest.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(rest.len())], false)
+        };
+        rest = &rest[part.len()..];
+        let part = part.replace('-', "−");
+        match pieces.last_mut() {
+            Some(last) if last.level == level && last.upright == upright => last.text.push_str(&part),
+            _ => pieces.push(Piece { text: part, level, upright }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pieces(text: &str) -> Vec<(String, Level, bool)> {
+        Symbol(text).pieces().into_iter().map(|p| (p.text, p.level, p.upright)).collect()
+    }
+
+    #[test]
+    fn a_subscript_is_letters_and_figures_or_what_braces_hold() {
+        use Level::{Base, Lowered};
+        assert_eq!(pieces("M_w"), [("M".into(), Base, false), ("w".into(), Lowered, false)]);
+        assert_eq!(pieces("C_mα"), [("C".into(), Base, false), ("mα".into(), Lowered, false)]);
+        assert_eq!(pieces("C_mα"), pieces("C_{mα}"));
+        assert_eq!(
+            pieces("U_0+Z_q"),
+            [
+                ("U".into(), Base, false),
+                ("0".into(), Lowered, false),
+                ("+Z".into(), Base, false),
+                ("q".into(), Lowered, false)
+            ]
+        );
+        assert_eq!(pieces("C_mα\u{307}")[1].0, "mα\u{307}");
+        assert_eq!(pieces("e^{λt}")[1], ("λt".into(), Level::Raised, false));
+    }
+
+    #[test]
+    fn names_of_functions_are_upright_and_letters_are_not() {
+        use Level::{Base, Lowered};
+        assert_eq!(
+            pieces("g cos θ_0"),
+            [
+                ("g ".into(), Base, false),
+                ("cos".into(), Base, true),
+                (" θ".into(), Base, false),
+                ("0".into(), Lowered, false)
+            ]
+        );
+        assert_eq!(pieces("x_{cg}")[1], ("cg".into(), Lowered, false));
+        assert_eq!(pieces("C_{L max}")[2], ("max".into(), Lowered, true));
+    }
+
+    #[test]
+    fn damaged_notation_is_set_as_it_stands() {
+        for text in ["", "_", "^", "C_", "C_{m", "C_}", "_{", "_{}", "a__b", "α^^2", "é_é"] {
+            let symbol = Symbol(text);
+            symbol.job(14.0, Color32::BLACK);
+            symbol.plain();
+        }
+    }
+
+    #[test]
+    fn the_plain_form_can_be_read_and_set_again() {
+        for (text, plain) in [("C_{mα}", "C_mα"), ("g cos θ_0", "g cos θ_0"), ("Z_q - U_0^2", "Z_q − U_0^2")]
+        {
+            assert_eq!(Symbol(text).plain(), plain);
+            assert_eq!(pieces(plain), pieces(text));
+        }
+    }
+
+    #[test]
+    fn a_symbol_is_no_taller_than_the_text_beside_it() {
+        let mut fonts = egui::epaint::text::Fonts::new(Default::default(), fonts::definitions());
+        let mut view = fonts.with_pixels_per_point(2.0);
+        let mut baselines = |text: &str| {
+            let galley = view.layout_job(Symbol(text).job(14.0, Color32::BLACK));
+            let row = &galley.rows[0];
+            (row.height(), row.glyphs.iter().map(|glyph| glyph.pos.y).collect::<Vec<_>>())
+        };
+        let (height, base) = baselines("C");
+        let (height_with_script, with_script) = baselines("C_m^2");
+        assert_eq!(height, height_with_script);
+        assert_eq!(base[0], with_script[0]);
+        assert!((with_script[1] - base[0] - SUBSCRIPT_DROP * 14.0).abs() <= 0.6, "{with_script:?}");
+        assert!((base[0] - with_script[2] - SUPERSCRIPT_RISE * 14.0).abs() <= 0.6, "{with_script:?}");
+    }
+}

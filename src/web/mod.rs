@@ -1,6 +1,6 @@
 //! The browser: starting on the page's canvas, telling the page how it went, the JavaScript handle.
 
-mod mirror;
+pub mod mirror;
 
 use std::any::Any;
 
@@ -42,7 +42,7 @@ async fn run() -> Result<(), JsValue> {
         if reduced_motion {
             cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
         }
-        mirror::install(&cc.egui_ctx);
+        cc.egui_ctx.add_plugin(mirror::Mirror);
         Ok(Box::new(Page { app, frames: 0 }))
     });
     runner.start(canvas, WebOptions::default(), create).await

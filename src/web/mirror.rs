@@ -1,0 +1,334 @@
+//! The page for those who can't see a canvas: what egui draws, once more as real elements.
+//!
+//! egui describes each frame as an [AccessKit](accesskit) tree, which eframe drops in a browser. This plugin mirrors
+//! the tree into `<div id="mirror">`, a transparent layer over the canvas, and hands what happens to those elements
+//! back to egui. It serves screen readers, and browser tests, which find a slider by its name.
+//!
+//! ```text
+//! egui ── output_hook ──► tree ──► elements ──► screen reader
+//!   ▲                                             │
+//!   └── input_hook ◄── action requests ◄── events ┘
+//! ```
+//!
+//! * Elements persist, keyed by node, and only what changed is written: a focused one stays focused.
+//! * They stand in the order of the tree, at the bounds of what they mirror. Roles that hold others (region, group,
+//!   dialog, list box …) become elements around them; panels and rows without a name leave no trace.
+//! * The keyboard stays with the canvas (`tabindex="-1"`). Something that focuses an element focuses egui's widget.
+//! * While frames come fast the page is written ten times a second; the last tree is always written.
+//!
+//! The page brings two elements and this style. Without `#mirror` the plugin does nothing.
+//!
+//! ```css
+//! #mirror { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
+//! #mirror [data-id]:not([data-holds]) { position: absolute; margin: 0; padding: 0; border: 0; overflow: hidden;
+//!     box-sizing: border-box; opacity: 0; white-space: nowrap; pointer-events: none; }
+//! #announcements { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+//! ```
+//! ```html
+//! <div id="mirror"></div>
+//! <div id="announcements" aria-live="polite"></div>
+//! ```
+
+mod element;
+
+use std::cell::RefCell;
+use std::collections::{HashMap, HashSet};
+use std::mem;
+
+use egui::accesskit::{self, Action, ActionData, ActionRequest, Node, NodeId, Role, TreeUpdate};
+use wasm_bindgen::JsCast as _;
+use wasm_bindgen::closure::Closure;
+use web_sys::{Document, Element, Event, HtmlInputElement};
+
+use element::{Kind, Picture, Shown};
+
+/// While frames come faster than this, the page is not written for each.
+const INTERVAL_MS: i32 = 100;
+
+/// Add it with `ctx.add_plugin(Mirror)`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mirror;
+
+thread_local! {
+    // Not in the plugin: egui wants plugins to be `Send`, and elements belong to their thread.
+    static PAGE: RefCell<Option<Page>> = const { RefCell::new(None) };
+}
+
+impl egui::Plugin for Mirror {
+    fn debug_name(&self) -> &'static str {
+        "accessibility mirror"
+    }
+
+    fn setup(&mut self, ctx: &egui::Context) {
+        let page = Page::find(ctx);
+        if page.is_some() {
+            ctx.enable_accesskit();
+        }
+        PAGE.set(page);
+    }
+
+    fn on_exit(&mut self, _ctx: &egui::Context) {
+        PAGE.set(None);
+    }
+
+    fn input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        with_page(|page| {
+            let requests = mem::take(&mut page.requests).into_iter();
+            input.events.extend(requests.map(egui::Event::AccessKitActionRequest));
+        });
+    }
+
+    fn output_hook(&mut self, ctx: &egui::Context, output: &mut egui::FullOutput) {
+        if let Some(tree) = output.platform_output.accesskit_update.take() {
+            with_page(|page| page.receive(tree, f64::from(ctx.zoom_factor())));
+        }
+    }
+}
+
+/// Has a screen reader say this sentence when it next pauses.
+pub fn announce(text: &str) {
+    let document = web_sys::window().and_then(|window| window.document());
+    if let Some(region) = document.and_then(|document| document.get_element_by_id("announcements")) {
+        // A sentence that is there already would not be said again.
+        let same = region.text_content().as_deref() == Some(text);
+        let again = format!("{text}\u{a0}");
+        region.set_text_content(Some(if same { &again } else { text }));
+    }
+}
+
+/// Nothing happens when the page is busy already: an event that it caused itself.
+fn with_page<R>(act: impl FnOnce(&mut Page) -> R) -> Option<R> {
+    PAGE.with(|page| page.try_borrow_mut().ok()?.as_mut().map(act))
+}
+
+/// The layer over the canvas and what stands in it.
+struct Page {
+    ctx: egui::Context,
+    document: Document,
+    root: Element,
+    shown: HashMap<NodeId, Shown>,
+    /// What stands directly in the root, in order.
+    children: Vec<NodeId>,
+    /// Came since the page was last written.
+    waiting: Option<(TreeUpdate, f64)>,
+    /// The timeout that will write it.
+    timer: Option<i32>,
+    written_ms: f64,
+    requests: Vec<ActionRequest>,
+    listeners: Vec<(&'static str, Closure<dyn FnMut(Event)>)>,
+    on_timer: Closure<dyn FnMut()>,
+}
+
+impl Page {
+    fn find(ctx: &egui::Context) -> Option<Self> {
+        let document = web_sys::window()?.document()?;
+        let root = document.get_element_by_id("mirror")?;
+        root.set_text_content(None);
+        let mut listeners = Vec::new();
+        for name in ["click", "input", "change", "focusin"] {
+            let listener = Closure::<dyn FnMut(Event)>::new(move |event: Event| {
+                with_page(|page| page.hear(name, &event));
+            });
+            root.add_event_listener_with_callback(name, listener.as_ref().unchecked_ref()).ok()?;
+            listeners.push((name, listener));
+        }
+        let on_timer = Closure::new(|| {
+            with_page(|page| {
+                page.timer = None;
+                page.write();
+            });
+        });
+        Some(Self {
+            ctx: ctx.clone(),
+            document,
+            root,
+            shown: HashMap::new(),
+            children: Vec::new(),
+            waiting: None,
+            timer: None,
+            written_ms: f64::NEG_INFINITY,
+            requests: Vec::new(),
+            listeners,
+            on_timer,
+        })
+    }
+
+    /// Writes the tree now, or, if the last one was written a moment ago, a little later.
+    fn receive(&mut self, tree: TreeUpdate, zoom: f64) {
+        self.waiting = Some((tree, zoom));
+        if self.timer.is_some() {
+            return;
+        }
+        if js_sys::Date::now() - self.written_ms < f64::from(INTERVAL_MS) {
+            self.timer = web_sys::window().and_then(|window| {
+                let callback = self.on_timer.as_ref().unchecked_ref();
+                window.set_timeout_with_callback_and_timeout_and_arguments_0(callback, INTERVAL_MS).ok()
+            });
+        }
+        if self.timer.is_none() {
+            self.write();
+        }
+    }
+
+    fn write(&mut self) {
+        let Some((update, zoom)) = self.waiting.take() else {
+            return;
+        };
+        let Some(root) = update.tree.as_ref().map(|tree| tree.root) else {
+            return;
+        };
+        let mut tree = Tree {
+            nodes: update.nodes.iter().map(|(id, node)| (*id, node)).collect(),
+            zoom,
+            seen: HashSet::new(),
+        };
+        let mut children = Vec::new();
+        self.write_node(&mut tree, root, None, &mut children);
+        let Tree { seen, .. } = tree;
+        self.shown.retain(|id, shown| {
+            let stays = seen.contains(id);
+            if !stays {
+                shown.element.remove();
+            }
+            stays
+        });
+        if self.children != children {
+            place(&self.shown, &self.root, &children);
+            self.children = children;
+        }
+        self.written_ms = js_sys::Date::now();
+    }
+
+    /// Brings the element of this node up to date, if it has one, and names it in `siblings`; then those inside it.
+    fn write_node(
+        &mut self,
+        tree: &mut Tree<'_>,
+        id: NodeId,
+        holder: Option<Kind>,
+        siblings: &mut Vec<NodeId>,
+    ) {
+        let Some(&node) = tree.nodes.get(&id) else {
+            return;
+        };
+        if node.is_hidden() || node.role() == Role::TextRun || tree.seen.contains(&id) {
+            return;
+        }
+        let Some(picture) = Picture::of(node, holder, &tree.name(node), tree.zoom) else {
+            for &child in node.children() {
+                self.write_node(tree, child, holder, siblings);
+            }
+            return;
+        };
+        let kind = picture.kind;
+        tree.seen.insert(id);
+        siblings.push(id);
+        match self.shown.get_mut(&id) {
+            Some(shown) if shown.picture.kind.tag() == kind.tag() => shown.update(picture),
+            _ => {
+                let Some(shown) = Shown::new(&self.document, id, picture) else {
+                    return;
+                };
+                if let Some(old) = self.shown.insert(id, shown) {
+                    old.element.remove();
+                    // Its place among its siblings is to be found again, as are those of what it held.
+                    self.children.clear();
+                    self.shown.values_mut().for_each(|shown| shown.children.clear());
+                }
+            }
+        }
+        let mut children = Vec::new();
+        // What lies inside a widget that holds nothing comes after it.
+        let (holder, inner) = if kind.holds() { (Some(kind), &mut children) } else { (holder, siblings) };
+        for &child in node.children() {
+            self.write_node(tree, child, holder, inner);
+        }
+        if kind.holds()
+            && let Some(shown) = self.shown.get(&id)
+            && shown.children != children
+        {
+            place(&self.shown, &shown.element, &children);
+            if let Some(shown) = self.shown.get_mut(&id) {
+                shown.children = children;
+            }
+        }
+    }
+
+    fn hear(&mut self, name: &str, event: &Event) {
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let Some(element) = target.and_then(|target| target.closest("[data-id]").ok().flatten()) else {
+            return;
+        };
+        let id = element.get_attribute("data-id").and_then(|id| id.parse().ok()).map(NodeId);
+        let Some((id, shown)) = id.and_then(|id| Some((id, self.shown.get_mut(&id)?))) else {
+            return;
+        };
+        let kind = shown.picture.kind;
+        let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
+        let (action, data) = match (name, kind) {
+            ("focusin", _) if shown.picture.focusable => (Action::Focus, None),
+            ("click", kind) if kind.is_pressed() => (Action::Click, None),
+            ("input", Kind::Slider) | ("change", Kind::SpinButton) => {
+                let Ok(value) = typed().trim().replace('−', "-").parse::<f64>() else {
+                    shown.forget_state();
+                    return self.ctx.request_repaint();
+                };
+                (Action::SetValue, Some(ActionData::NumericValue(value)))
+            }
+            ("input", Kind::Text) => (Action::SetValue, Some(ActionData::Value(typed().into()))),
+            _ => return,
+        };
+        if action != Action::Focus {
+            // The browser has changed the element; egui may decide otherwise.
+            shown.forget_state();
+        }
+        let target_tree = accesskit::TreeId::ROOT;
+        self.requests.push(ActionRequest { action, target_tree, target_node: id, data });
+        self.ctx.request_repaint();
+    }
+}
+
+impl Drop for Page {
+    fn drop(&mut self) {
+        if let (Some(timer), Some(window)) = (self.timer, web_sys::window()) {
+            window.clear_timeout_with_handle(timer);
+        }
+        for (name, listener) in &self.listeners {
+            // If it can't be removed, it was never heard.
+            let _ = self.root.remove_event_listener_with_callback(name, listener.as_ref().unchecked_ref());
+        }
+        self.root.set_text_content(None);
+    }
+}
+
+/// One frame's description.
+struct Tree<'a> {
+    nodes: HashMap<NodeId, &'a Node>,
+    /// CSS pixels a point.
+    zoom: f64,
+    seen: HashSet<NodeId>,
+}
+
+impl Tree<'_> {
+    /// The accessible name: its own, or those of its labels.
+    fn name(&self, node: &Node) -> String {
+        if let Some(label) = node.label() {
+            return label.to_owned();
+        }
+        let labels = node.labelled_by().iter().filter_map(|id| self.nodes.get(id));
+        let names: Vec<&str> = labels.filter_map(|label| label.value().or(label.label())).collect();
+        names.join(" ")
+    }
+}
+
+/// Puts these into their order, touching only those out of place: a moved element loses the focus.
+fn place(shown: &HashMap<NodeId, Shown>, holder: &Element, order: &[NodeId]) {
+    let mut next = holder.first_element_child();
+    for element in order.iter().filter_map(|id| shown.get(id)).map(|shown| &shown.element) {
+        if next.as_ref() == Some(element) {
+            next = element.next_element_sibling();
+        } else {
+            // Fails only for an element inside itself, which a tree doesn't have.
+            let _ = holder.insert_before(element, next.as_deref());
+        }
+    }
+}
