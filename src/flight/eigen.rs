@@ -32,9 +32,7 @@ pub enum EigenError {
     )]
     NotFinite,
     /// The iteration used up its bound; no matrix is known that does this.
-    #[error(
-        "the eigenvalues of this state matrix could not be found: the iteration did not settle"
-    )]
+    #[error("the eigenvalues of this state matrix could not be found: the iteration did not settle")]
     NotConverged,
 }
 
@@ -44,10 +42,7 @@ impl Eigen {
     /// Always four finite shares. Where v and l have no state in common (an exactly defective matrix) the mean of |vₖ|² and
     /// |lₖ|² stands in: half where the mode shows, half where it is excited. A `mode` above 3 means the last one.
     pub fn participation(&self, mode: usize) -> [f64; 4] {
-        let (v, l) = (
-            self.right.column(mode.min(3)),
-            self.left.column(mode.min(3)),
-        );
+        let (v, l) = (self.right.column(mode.min(3)), self.left.column(mode.min(3)));
         // pₖ = |vₖ| |lₖ| / Σ |vᵢ| |lᵢ|
         let products: [f64; 4] = std::array::from_fn(|k| v[k].norm() * l[k].norm());
         let sum: f64 = products.iter().sum();
@@ -78,11 +73,7 @@ pub fn eigen(a: &Matrix4<f64>) -> Result<Eigen, EigenError> {
         }
     }
     solved.values = solved.values.map(|value| value * scale);
-    if solved
-        .values
-        .iter()
-        .all(|value| value.re.is_finite() && value.im.is_finite())
-    {
+    if solved.values.iter().all(|value| value.re.is_finite() && value.im.is_finite()) {
         Ok(solved)
     } else {
         Err(EigenError::NotFinite)
@@ -100,8 +91,7 @@ impl Eigen {
         let (allowed, a) = (1e-13 * a.norm(), a.map(Complex::from));
         (0..4).filter(|&i| self.values[i].im >= 0.0).all(|i| {
             let (value, v, l) = (self.values[i], self.right.column(i), self.left.column(i));
-            (a * v - v * value).norm() <= allowed
-                && (a.tr_mul(&l) - l * value.conj()).norm() <= allowed
+            (a * v - v * value).norm() <= allowed && (a.tr_mul(&l) - l * value.conj()).norm() <= allowed
         })
     }
 
@@ -121,13 +111,7 @@ impl Eigen {
     }
 
     /// Puts v and l, made unit vectors, into column i and if they are of a pair their conjugates into the next.
-    fn set_vectors(
-        &mut self,
-        i: usize,
-        pair: bool,
-        v: Vector4<Complex<f64>>,
-        l: Vector4<Complex<f64>>,
-    ) {
+    fn set_vectors(&mut self, i: usize, pair: bool, v: Vector4<Complex<f64>>, l: Vector4<Complex<f64>>) {
         let (v, l) = (unit_vector(v, !pair), unit_vector(l, !pair));
         self.right.set_column(i, &v);
         self.left.set_column(i, &l);
@@ -146,10 +130,7 @@ struct Balance {
 
 impl Balance {
     fn none() -> Self {
-        Self {
-            order: [0, 1, 2, 3],
-            d: [1.0; 4],
-        }
+        Self { order: [0, 1, 2, 3], d: [1.0; 4] }
     }
 
     /// Permutation and power-of-two scaling that bring rows and columns to like size (LAPACK `dgebal`; GVL §7.5.7).
@@ -160,9 +141,8 @@ impl Balance {
         let mut b = *a;
         // A row (column) with nothing beside its diagonal holds an eigenvalue already: to the end (front) with it.
         let (mut lo, mut end) = (0, 4);
-        let alone = |b: &Matrix4<f64>, i: usize, lo: usize, end: usize| {
-            (lo..end).all(|j| j == i || b[(i, j)] == 0.0)
-        };
+        let alone =
+            |b: &Matrix4<f64>, i: usize, lo: usize, end: usize| (lo..end).all(|j| j == i || b[(i, j)] == 0.0);
         while let Some(i) = (lo..end).rev().find(|&i| alone(&b, i, lo, end)) {
             end -= 1;
             swap(&mut b, &mut order, i, end);
@@ -214,16 +194,9 @@ fn solve(a: &Matrix4<f64>, balance: &Balance) -> Result<Eigen, EigenError> {
     let mut places = [0, 1, 2, 3];
     // The sort is stable and |λ| = |λ̄| to the bit, so pairs stay together.
     places.sort_by(|&i, &j| t[(j, j)].norm().total_cmp(&t[(i, i)].norm()));
-    let mut solved = Eigen {
-        values: places.map(|k| t[(k, k)] * scale),
-        right: Matrix4::zeros(),
-        left: Matrix4::zeros(),
-    };
-    for (column, &k) in places
-        .iter()
-        .enumerate()
-        .filter(|&(_, &k)| t[(k, k)].im >= 0.0)
-    {
+    let mut solved =
+        Eigen { values: places.map(|k| t[(k, k)] * scale), right: Matrix4::zeros(), left: Matrix4::zeros() };
+    for (column, &k) in places.iter().enumerate().filter(|&(_, &k)| t[(k, k)].im >= 0.0) {
         let y = u * rescaled(right_vector(&t, k));
         let w = u * rescaled(left_vector(&t, k));
         let (mut v, mut l) = (Vector4::zeros(), Vector4::zeros());
@@ -242,11 +215,7 @@ fn gap(t: &Matrix4<Complex<f64>>, i: usize, k: usize) -> Complex<f64> {
     let gap = t[(i, i)] - t[(k, k)];
     // 10⁻⁷⁰ ‖T‖: three divisions by it stay far below overflow, the error it makes far below rounding.
     let least = (f64::EPSILON * t[(k, k)].norm()).max(1e-70);
-    if gap.norm() < least {
-        Complex::from(least)
-    } else {
-        gap
-    }
+    if gap.norm() < least { Complex::from(least) } else { gap }
 }
 
 /// y with T y = λₖ y by back substitution (LAPACK `ztrevc`).
@@ -275,11 +244,7 @@ fn left_vector(t: &Matrix4<Complex<f64>>, k: usize) -> Vector4<Complex<f64>> {
 
 /// v divided by a power of two, so that its largest part is between 1 and 2.
 fn rescaled(v: Vector4<Complex<f64>>) -> Vector4<Complex<f64>> {
-    let size = power_of_two(
-        v.iter()
-            .map(|x| x.re.abs().max(x.im.abs()))
-            .fold(0.0, f64::max),
-    );
+    let size = power_of_two(v.iter().map(|x| x.re.abs().max(x.im.abs())).fold(0.0, f64::max));
     v.map(|x| x / size)
 }
 

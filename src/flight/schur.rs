@@ -9,10 +9,7 @@ use nalgebra::{Complex, Matrix4, Vector4};
 /// Complex Schur form U T Uᴴ from the real one: a rotation for each 2×2 block (MATLAB `rsf2csf`; LAPACK `dlanv2`).
 ///
 /// The diagonal of T is exact where it matters: real, or λ above λ̄ with positive imaginary part.
-pub(super) fn triangle(
-    q: &Matrix4<f64>,
-    h: &Matrix4<f64>,
-) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
+pub(super) fn triangle(q: &Matrix4<f64>, h: &Matrix4<f64>) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
     let (mut u, mut t) = (q.map(Complex::from), h.map(Complex::from));
     for i in (0..3).filter(|&i| h[(i + 1, i)] != 0.0) {
         let (a, b, c, d) = (h[(i, i)], h[(i, i + 1)], h[(i + 1, i)], h[(i + 1, i + 1)]);
@@ -21,11 +18,7 @@ pub(super) fn triangle(
         let size = p.abs().max(b.abs()).max(c.abs());
         let discriminant = (p / size) * p + (b / size) * c;
         let root = size.sqrt() * discriminant.abs().sqrt();
-        let z = if discriminant >= 0.0 {
-            Complex::from(p + root.copysign(p))
-        } else {
-            Complex::new(p, root)
-        };
+        let z = if discriminant >= 0.0 { Complex::from(p + root.copysign(p)) } else { Complex::new(p, root) };
         let (first, second) = if z.im > 0.0 {
             (Complex::new(d + p, root), Complex::new(d + p, -root))
         } else if z.re == 0.0 {
@@ -66,11 +59,7 @@ pub(super) fn schur(mut h: Matrix4<f64>) -> Option<(Matrix4<f64>, Matrix4<f64>)>
         while lo > 0 {
             // |hᵢ,ᵢ₋₁| ≤ ε(|hᵢᵢ| + |hᵢ₋₁,ᵢ₋₁|) counts as zero; beside a zero diagonal, or when slow, so does ε‖H‖.
             let near = h[(lo, lo)].abs() + h[(lo - 1, lo - 1)].abs();
-            let size = if near == 0.0 || steps > 40 {
-                norm
-            } else {
-                near
-            };
+            let size = if near == 0.0 || steps > 40 { norm } else { near };
             if h[(lo, lo - 1)].abs() <= f64::EPSILON * size {
                 h[(lo, lo - 1)] = 0.0;
                 break;
@@ -95,17 +84,9 @@ fn francis(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, lo: usize, hi: usize, exc
     // they are (a permutation).
     let (x, y, w) = if exceptional {
         let s = h[(hi, hi - 1)].abs() + h[(hi - 1, hi - 2)].abs();
-        (
-            h[(hi, hi)] + 0.75 * s,
-            h[(hi, hi)] + 0.75 * s,
-            -0.4375 * s * s,
-        )
+        (h[(hi, hi)] + 0.75 * s, h[(hi, hi)] + 0.75 * s, -0.4375 * s * s)
     } else {
-        (
-            h[(hi, hi)],
-            h[(hi - 1, hi - 1)],
-            h[(hi, hi - 1)] * h[(hi - 1, hi)],
-        )
+        (h[(hi, hi)], h[(hi - 1, hi - 1)], h[(hi, hi - 1)] * h[(hi - 1, hi)])
     };
     // First column of (H − s₁I)(H − s₂I), divided by h₂₁
     let (h11, h21) = (h[(lo, lo)], h[(lo + 1, lo)]);
