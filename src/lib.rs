@@ -14,12 +14,14 @@
 //! | [`content`] | the aircraft that ship with the page, read and checked once | egui, web |
 //! | [`number`] | numbers as a person reads them | everything |
 //! | [`scenario`] | what is being studied, and the one table of adjustable quantities | egui, web |
+//! | [`export`] | state for other programs, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
 //! | `main.rs`, `web.rs` (feature `app`) | a window natively, a canvas in a browser | how anything is computed or drawn |
 //!
 //! A module may use those above it, never those below.
 
 pub mod content;
+pub mod export;
 pub mod flight;
 pub mod number;
 pub mod scenario;

@@ -84,11 +84,10 @@ impl Shape {
 /// `shapes` holds each conjugate pair once: two, three or four modes. The names come in the same order.
 pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
     let short_period = short_period_members(shapes);
-    let split = |member: bool| {
-        (0..shapes.len()).filter(move |&i| short_period[i] == member && !shapes[i].oscillates())
-    };
-    let fastest = |member: bool| {
-        split(member).max_by(|&i, &j| shapes[i].lambda.norm().total_cmp(&shapes[j].lambda.norm()))
+    let fastest_root = |of_short_period: bool| {
+        (0..shapes.len())
+            .filter(|&i| short_period[i] == of_short_period && !shapes[i].oscillates())
+            .max_by(|&i, &j| shapes[i].lambda.norm().total_cmp(&shapes[j].lambda.norm()))
     };
     let diverging = shapes.iter().any(Shape::grows_without_oscillating);
 
@@ -98,11 +97,11 @@ pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
             let name = match (short_period[i], shape.oscillates()) {
                 _ if shape.grows_without_oscillating() => ModeName::Divergence,
                 (true, true) => ModeName::ShortPeriod,
-                (true, false) if fastest(true) == Some(i) => ModeName::ShortPeriodFastRoot,
+                (true, false) if fastest_root(true) == Some(i) => ModeName::ShortPeriodFastRoot,
                 (true, false) => ModeName::ShortPeriodSlowRoot,
                 (false, true) if diverging => ModeName::ThirdOscillatory,
                 (false, true) => ModeName::Phugoid,
-                (false, false) if fastest(false) == Some(i) => ModeName::PhugoidFastRoot,
+                (false, false) if fastest_root(false) == Some(i) => ModeName::PhugoidFastRoot,
                 (false, false) => ModeName::PhugoidSlowRoot,
             };
             naming(name, shape)

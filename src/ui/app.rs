@@ -148,7 +148,10 @@ impl App {
         action = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, width >= TABLET) }.or(action);
         if let Some(action) = action {
             self.apply(action);
-            ui.request_repaint();
+        }
+        if !self.memo.is_of(&self.scenario) {
+            // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
+            ui.request_discard("the scenario changed");
         }
         self.history.feed_state(ui.input(|input| input.time), &self.scenario);
     }
@@ -260,14 +263,14 @@ impl App {
     }
 
     fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
-        // Its controls edit the scenario, so it gets a copy of the analysis' answer only through the memo.
         let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
+        view.responses.choosers_ui(ui, scenario);
         match memo.refresh(scenario) {
             Ok(analysis) => {
                 let ghost = ghost.as_ref().zip(ghost_memo.analysis()).and_then(|(ghost, analysis)| {
                     Some(Studied { scenario: &ghost.scenario, analysis: analysis.as_ref().ok()? })
                 });
-                view.responses.show(ui, scenario, analysis, ghost, rows);
+                view.responses.show(ui, Studied { scenario, analysis }, ghost, rows);
             }
             Err(error) => error_ui(ui, error),
         }

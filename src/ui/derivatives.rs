@@ -104,7 +104,7 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
 
             let field = number_field_ui(
                 ui,
-                ui.id().with(("number", parameter.key)),
+                ui.scope_id().with(("number", parameter.key)),
                 &format!("{name}, typed"),
                 &shown,
                 FIELD_WIDTH,
@@ -145,7 +145,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     ui.label(Symbol::parse(parameter.symbol).job(14.0, palette.text));
     let field = number_field_ui(
         ui,
-        ui.id().with(("number", parameter.key)),
+        ui.scope_id().with(("number", parameter.key)),
         &format!("{} in {unit}", parameter.name),
         &shown,
         44.0,

@@ -13,7 +13,7 @@ pub struct Memo {
 impl Memo {
     /// Computes again if `scenario` is not the one of the last time, and gives what follows from it.
     pub fn refresh(&mut self, scenario: &Scenario) -> &Result<Analysis, AnalysisError> {
-        if self.of.as_ref().is_some_and(|(of, _)| of != scenario) {
+        if !self.is_of(scenario) {
             self.of = None;
         }
         let computations = &mut self.computations;
@@ -22,6 +22,11 @@ impl Memo {
             (scenario.clone(), scenario.analyse())
         });
         analysis
+    }
+
+    /// Whether what it holds follows from `scenario`.
+    pub fn is_of(&self, scenario: &Scenario) -> bool {
+        self.of.as_ref().is_some_and(|(of, _)| of == scenario)
     }
 
     /// What followed at the last refresh.

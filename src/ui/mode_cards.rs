@@ -197,7 +197,7 @@ fn participation_ui(ui: &mut Ui, mode: &Mode, color: Color32) {
         x += width;
     }
     let words = format!("Participation of the states: {}", words.join(", "));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::WidgetType::Image, true, words.as_str()));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, words.as_str()));
     response.on_hover_text(words.clone());
 }
 

@@ -1,7 +1,7 @@
 //! A number that can be typed. What can't be used is refused in one sentence, and what was typed stays.
 
 use egui::text::{CCursor, CCursorRange};
-use egui::{Align, FontId, Id, Key, Response, TextEdit, Ui};
+use egui::{FontId, Id, Key, Response, TextEdit, Ui};
 
 use super::theme::Palette;
 use crate::scenario::ValueError;
@@ -43,7 +43,7 @@ pub fn number_field_ui(
     let output = TextEdit::singleline(&mut text)
         .id(id)
         .desired_width(width)
-        .horizontal_align(Align::RIGHT)
+        .align(egui::Align2::RIGHT_CENTER)
         .font(FontId::proportional(12.5))
         .margin(egui::Margin::symmetric(4, 3))
         .text_color(if refused { palette.bad } else { palette.text })
@@ -77,7 +77,9 @@ pub fn number_field_ui(
     }
     let refusal = draft.as_ref().and_then(|draft| draft.refusal.clone());
     ui.data_mut(|data| match draft {
-        Some(draft) => data.insert_temp(id, draft),
+        Some(draft) => {
+            data.insert_temp(id, draft);
+        }
         None => data.remove::<Draft>(id),
     });
     NumberField { response, accepted, refusal }

@@ -1,6 +1,6 @@
 //! The pole map: eigenvalues in the complex plane, the slow ones a second time at their own scale.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, WidgetType};
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
 use egui_plot::{LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points, Span, VLine};
 
 use super::axis_range::{AxisRange, round_up};
@@ -142,7 +142,7 @@ impl Map<'_> {
             })
             .inner;
         let description = describe(self.name, modes);
-        plot.response.widget_info(|| WidgetInfo::labeled(WidgetType::Image, true, description.as_str()));
+        plot.response.widget_info(|| WidgetInfo::labeled(Role::Image, true, description.as_str()));
 
         let position = |re: f64, im: f64| plot.transform.position_from_point(&PlotPoint::new(re, im));
         let painter = ui.painter().with_clip_rect(rect);

@@ -1,6 +1,6 @@
 //! One small plot of a response: its title with the value at the cursor, and its curves.
 
-use egui::{Align2, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, WidgetType};
+use egui::{Align2, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
 use egui_plot::{GridMark, Line, LineStyle, Plot, PlotPoint, PlotPoints, VLine};
 
 use super::axis_range::AxisRange;
@@ -125,7 +125,7 @@ fn draw<'a>(
         })
         .inner;
     let words = describe(curves);
-    plot.response.widget_info(|| WidgetInfo::labeled(WidgetType::Image, true, words.as_str()));
+    plot.response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
     tick_labels(ui, rect, x, y);
     plot.response
 }

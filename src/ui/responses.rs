@@ -112,16 +112,19 @@ pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario) {
 }
 
 impl Responses {
-    /// Draws heading, choosers and plots over all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, scenario: &mut Scenario, analysis: &Analysis, ghost: Option<Studied<'_>>, rows: Rows) {
+    /// Heading and choosers; edits the disturbance in place.
+    pub fn choosers_ui(&mut self, ui: &mut Ui, scenario: &mut Scenario) {
         ui.horizontal_wrapped(|ui| {
             ui.heading("Response to");
             disturbance_ui(ui, scenario);
             ui.selectable_value(&mut self.w_instead_of_alpha, false, "α").on_hover_text("Angle of attack, α = w/U₀");
             ui.selectable_value(&mut self.w_instead_of_alpha, true, "w").on_hover_text("Velocity along z, downward positive");
         });
-        let studied = Studied { scenario, analysis };
-        if let Some(time) = analysis.response.cut_at {
+    }
+
+    /// Draws the plots over all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
+        if let Some(time) = studied.analysis.response.cut_at {
             let text = format!("The motion has grown beyond all meaning by t = {} s; it is drawn until then.", significant(time, 3));
             ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).bad));
         }

@@ -1,3 +1,105 @@
-//! The browser's side: what a page needs that a window doesn't. It neither computes nor draws.
+//! The browser: starting on the page's canvas, telling the page how it went, the JavaScript handle.
 
 pub mod mirror;
+
+use std::any::Any;
+
+use eframe::{WebOptions, WebRunner};
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{CustomEvent, CustomEventInit, Event, HtmlCanvasElement};
+
+use crate::export;
+use crate::ui::App;
+
+/// Starts the application on `<canvas id="eigenwing">`.
+///
+/// The page hears of it by events on `window`: `eigenwing-ready` after the first frame, `eigenwing-failed` with a
+/// sentence as its detail if the program can't start or stops. `window.eigenwing.state()` gives the state as JSON.
+pub fn start() {
+    std::panic::set_hook(Box::new(|panic| failed(&panic.to_string())));
+    wasm_bindgen_futures::spawn_local(async {
+        if let Err(error) = run().await {
+            let reason = error.as_string().or_else(|| error.dyn_ref().map(|e: &js_sys::Error| e.message().into()));
+            failed(&reason.unwrap_or_else(|| "the browser gave no reason".to_owned()));
+        }
+    });
+}
+
+async fn run() -> Result<(), JsValue> {
+    let window = web_sys::window().ok_or("there is no window")?;
+    let document = window.document().ok_or("there is no document")?;
+    let canvas: HtmlCanvasElement =
+        document.get_element_by_id("eigenwing").ok_or("the page has no canvas named eigenwing")?.dyn_into()?;
+    let reduced_motion = window
+        .match_media("(prefers-reduced-motion: reduce)")?
+        .is_some_and(|query| query.matches());
+
+    let runner = WebRunner::new();
+    offer_handle(&runner)?;
+    let create: eframe::AppCreator<'static> = Box::new(move |cc| {
+        let app = App::new(&cc.egui_ctx)?;
+        if reduced_motion {
+            cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
+        }
+        cc.egui_ctx.add_plugin(mirror::Mirror);
+        Ok(Box::new(Page { app, frames: 0 }))
+    });
+    runner.start(canvas, WebOptions::default(), create).await
+}
+
+/// Puts `window.eigenwing` there, with `state()`.
+fn offer_handle(runner: &WebRunner) -> Result<(), JsValue> {
+    let runner = runner.clone();
+    let state = Closure::<dyn Fn() -> JsValue>::new(move || {
+        let page = runner.app_mut::<Page>();
+        page.and_then(|page| page.state()).map_or(JsValue::NULL, |state| JsValue::from_str(&state))
+    });
+    let handle = js_sys::Object::new();
+    js_sys::Reflect::set(&handle, &"state".into(), &state.into_js_value())?;
+    js_sys::Reflect::set(&js_sys::global(), &"eigenwing".into(), &handle)?;
+    Ok(())
+}
+
+fn failed(sentence: &str) {
+    let init = CustomEventInit::new();
+    init.set_detail(&sentence.into());
+    if let (Some(window), Ok(event)) =
+        (web_sys::window(), CustomEvent::new_with_event_init_dict("eigenwing-failed", &init))
+    {
+        // A page that doesn't listen can't be told.
+        let _ = window.dispatch_event(&event);
+    }
+}
+
+struct Page {
+    app: App,
+    frames: u32,
+}
+
+impl Page {
+    fn state(&self) -> Option<String> {
+        Some(export::state(self.app.scenario(), self.app.analysis()?).to_string())
+    }
+}
+
+impl eframe::App for Page {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        self.app.ui(ui);
+        // The second frame begins once the first is on screen.
+        match self.frames {
+            0 => ui.request_repaint(),
+            1 => {
+                if let (Some(window), Ok(event)) = (web_sys::window(), Event::new("eigenwing-ready")) {
+                    let _ = window.dispatch_event(&event);
+                }
+            }
+            _ => return,
+        }
+        self.frames += 1;
+    }
+
+    fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
+    }
+}
