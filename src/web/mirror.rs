@@ -206,17 +206,26 @@ impl Page {
             nodes: update.nodes.iter().map(|(id, node)| (*id, node)).collect(),
             zoom,
             seen: HashSet::new(),
+            orders: Vec::new(),
         };
         let mut children = Vec::new();
         self.write_node(&mut tree, root, None, &mut children);
-        let Tree { seen, .. } = tree;
+        // Those gone leave first, so that none of those that stay has to be moved, which would lose it the focus.
         self.shown.retain(|id, shown| {
-            let stays = seen.contains(id);
+            let stays = tree.seen.contains(id);
             if !stays {
                 shown.element.remove();
             }
             stays
         });
+        for (holder, children) in tree.orders {
+            if let Some(shown) = self.shown.get(&holder).filter(|shown| shown.children != children) {
+                place(&self.shown, &shown.element, &children);
+            }
+            if let Some(shown) = self.shown.get_mut(&holder) {
+                shown.children = children;
+            }
+        }
         if self.children != children {
             place(&self.shown, &self.root, &children);
             self.children = children;
@@ -261,19 +270,16 @@ impl Page {
                 }
             }
         }
-        let mut children = Vec::new();
-        // What lies inside a widget that holds nothing comes after it.
-        let (holder, inner) = if kind.holds() { (Some(kind), &mut children) } else { (holder, siblings) };
-        for &child in node.children() {
-            self.write_node(tree, child, holder, inner);
-        }
-        if kind.holds()
-            && let Some(shown) = self.shown.get(&id)
-            && shown.children != children
-        {
-            place(&self.shown, &shown.element, &children);
-            if let Some(shown) = self.shown.get_mut(&id) {
-                shown.children = children;
+        if kind.holds() {
+            let mut children = Vec::new();
+            for &child in node.children() {
+                self.write_node(tree, child, Some(kind), &mut children);
+            }
+            tree.orders.push((id, children));
+        } else {
+            // What lies inside a widget comes after it.
+            for &child in node.children() {
+                self.write_node(tree, child, holder, siblings);
             }
         }
     }
@@ -359,6 +365,8 @@ struct Tree<'a> {
     /// CSS pixels a point.
     zoom: f64,
     seen: HashSet<NodeId>,
+    /// What each element holds, in order.
+    orders: Vec<(NodeId, Vec<NodeId>)>,
 }
 
 impl Tree<'_> {
