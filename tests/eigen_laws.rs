@@ -154,7 +154,7 @@ fn companion_of((a, b, c, d): (f64, f64, f64, f64)) -> Matrix4<f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn every_finite_matrix_has_an_answer_that_obeys_the_laws(a in matrix()) {

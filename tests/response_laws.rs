@@ -57,7 +57,7 @@ fn small_models() -> impl Strategy<Value = (Matrix4<f64>, Vector4<f64>)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn half_the_samples_are_the_same_motion((a, b) in small_models(), start in -1.0..6.0, duration in 0.0..3.0) {
