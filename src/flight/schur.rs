@@ -6,46 +6,6 @@
 use super::eigen::power_of_two;
 use nalgebra::{Complex, Matrix4, Vector4};
 
-/// Complex Schur form U T Uᴴ from the real one: a rotation for each 2×2 block (MATLAB `rsf2csf`; LAPACK `dlanv2`).
-///
-/// The diagonal of T is exact where it matters: real, or λ above λ̄ with positive imaginary part.
-pub(super) fn triangle(q: &Matrix4<f64>, h: &Matrix4<f64>) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
-    let (mut u, mut t) = (q.map(Complex::from), h.map(Complex::from));
-    for i in (0..3).filter(|&i| h[(i + 1, i)] != 0.0) {
-        let (a, b, c, d) = (h[(i, i)], h[(i, i + 1)], h[(i + 1, i)], h[(i + 1, i + 1)]);
-        // λ = d + z,  z = p ± √(p² + b c),  p = (a − d)/2
-        let p = 0.5 * (a - d);
-        let size = p.abs().max(b.abs()).max(c.abs());
-        let discriminant = (p / size) * p + (b / size) * c;
-        let root = size.sqrt() * discriminant.abs().sqrt();
-        let z = if discriminant >= 0.0 { Complex::from(p + root.copysign(p)) } else { Complex::new(p, root) };
-        let (first, second) = if z.im > 0.0 {
-            (Complex::new(d + p, root), Complex::new(d + p, -root))
-        } else if z.re == 0.0 {
-            (Complex::from(d), Complex::from(d))
-        } else {
-            (d + z, Complex::from(d - (b / z.re) * c))
-        };
-        // (z, c) is the block's eigenvector for λ = d + z; G takes it to the first axis.
-        let length = z.re.hypot(z.im).hypot(c);
-        let (x, y) = (z / length, Complex::from(c / length));
-        for j in 0..4 {
-            let (upper, lower) = (t[(i, j)], t[(i + 1, j)]);
-            t[(i, j)] = x.conj() * upper + y * lower;
-            t[(i + 1, j)] = x * lower - y * upper;
-        }
-        for m in [&mut t, &mut u] {
-            for j in 0..4 {
-                let (left, right) = (m[(j, i)], m[(j, i + 1)]);
-                m[(j, i)] = left * x + right * y;
-                m[(j, i + 1)] = right * x.conj() - left * y;
-            }
-        }
-        (t[(i, i)], t[(i + 1, i + 1)], t[(i + 1, i)]) = (first, second, Complex::from(0.0));
-    }
-    (u, t)
-}
-
 /// Real Schur form H = Q T Qᵀ, T with 1×1 and 2×2 blocks on its diagonal (LAPACK `dhseqr`; GVL Algorithm 7.5.2).
 pub(super) fn schur(mut h: Matrix4<f64>) -> Option<(Matrix4<f64>, Matrix4<f64>)> {
     let mut q = Matrix4::identity();
@@ -54,13 +14,13 @@ pub(super) fn schur(mut h: Matrix4<f64>) -> Option<(Matrix4<f64>, Matrix4<f64>)>
     }
     let norm = h.amax();
     let (mut hi, mut steps) = (3, 0);
-    for _ in 0..160 {
+    for _ in 0..300 {
         let mut lo = hi;
         while lo > 0 {
             // |hᵢ,ᵢ₋₁| ≤ ε(|hᵢᵢ| + |hᵢ₋₁,ᵢ₋₁|) counts as zero; beside a zero diagonal, or when slow, so does ε‖H‖.
             let near = h[(lo, lo)].abs() + h[(lo - 1, lo - 1)].abs();
-            let size = if near == 0.0 || steps > 40 { norm } else { near };
-            if h[(lo, lo - 1)].abs() <= f64::EPSILON * size {
+            let strict = near > 0.0 && steps <= 40;
+            if h[(lo, lo - 1)].abs() <= f64::EPSILON * if strict { near } else { norm } {
                 h[(lo, lo - 1)] = 0.0;
                 break;
             }
@@ -82,12 +42,12 @@ pub(super) fn schur(mut h: Matrix4<f64>) -> Option<(Matrix4<f64>, Matrix4<f64>)>
 fn francis(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, lo: usize, hi: usize, exceptional: bool) {
     // The shifts are the eigenvalues of [x √w; √w y]; now and then others, for matrices that the usual ones leave as
     // they are (a permutation).
-    let (x, y, w) = if exceptional {
+    let (mut x, mut y) = (h[(hi, hi)], h[(hi - 1, hi - 1)]);
+    let mut w = h[(hi, hi - 1)] * h[(hi - 1, hi)];
+    if exceptional {
         let s = h[(hi, hi - 1)].abs() + h[(hi - 1, hi - 2)].abs();
-        (h[(hi, hi)] + 0.75 * s, h[(hi, hi)] + 0.75 * s, -0.4375 * s * s)
-    } else {
-        (h[(hi, hi)], h[(hi - 1, hi - 1)], h[(hi, hi - 1)] * h[(hi - 1, hi)])
-    };
+        (x, y, w) = (x + 0.75 * s, x + 0.75 * s, -0.4375 * s * s);
+    }
     // First column of (H − s₁I)(H − s₂I), divided by h₂₁
     let (h11, h21) = (h[(lo, lo)], h[(lo + 1, lo)]);
     let mut bulge = Vector4::zeros();
@@ -120,4 +80,51 @@ fn reflect(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, x: Vector4<f64>, k: usize
     *h -= u * (u.tr_mul(h) * tau);
     *h -= (*h * u) * (u.transpose() * tau);
     *q -= (*q * u) * (u.transpose() * tau);
+}
+
+/// Complex Schur form U T Uᴴ from the real one: a rotation for each 2×2 block (MATLAB `rsf2csf`; LAPACK `dlanv2`).
+///
+/// The diagonal of T is exact where it matters: real, or λ above λ̄ with positive imaginary part.
+pub(super) fn triangle(
+    q: &Matrix4<f64>,
+    h: &Matrix4<f64>,
+) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
+    let (mut u, mut t) = (q.map(Complex::from), h.map(Complex::from));
+    for i in (0..3).filter(|&i| h[(i + 1, i)] != 0.0) {
+        let (a, b, c, d) = (h[(i, i)], h[(i, i + 1)], h[(i + 1, i)], h[(i + 1, i + 1)]);
+        // λ = d + z,  z = p ± √(p² + b c),  p = (a − d)/2
+        let p = 0.5 * (a - d);
+        let size = p.abs().max(b.abs()).max(c.abs());
+        let discriminant = (p / size) * p + (b / size) * c;
+        let root = size.sqrt() * discriminant.abs().sqrt();
+        let z = if discriminant >= 0.0 {
+            Complex::from(p + root.copysign(p))
+        } else {
+            Complex::new(p, root)
+        };
+        let (first, second) = if z.im > 0.0 {
+            (Complex::new(d + p, root), Complex::new(d + p, -root))
+        } else if z.re == 0.0 {
+            (Complex::from(d), Complex::from(d))
+        } else {
+            (d + z, Complex::from(d - (b / z.re) * c))
+        };
+        // (z, c) is the block's eigenvector for λ = d + z; G takes it to the first axis.
+        let length = z.re.hypot(z.im).hypot(c);
+        let (x, y) = (z / length, Complex::from(c / length));
+        for j in 0..4 {
+            let (upper, lower) = (t[(i, j)], t[(i + 1, j)]);
+            t[(i, j)] = x.conj() * upper + y * lower;
+            t[(i + 1, j)] = x * lower - y * upper;
+        }
+        for m in [&mut t, &mut u] {
+            for j in 0..4 {
+                let (left, right) = (m[(j, i)], m[(j, i + 1)]);
+                m[(j, i)] = left * x + right * y;
+                m[(j, i + 1)] = right * x.conj() - left * y;
+            }
+        }
+        (t[(i, i)], t[(i + 1, i + 1)], t[(i + 1, i)]) = (first, second, Complex::from(0.0));
+    }
+    (u, t)
 }

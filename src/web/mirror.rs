@@ -38,7 +38,7 @@ use std::mem;
 use egui::accesskit::{self, Action, ActionData, ActionRequest, Node, NodeId, Role, TreeUpdate};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
-use web_sys::{Document, Element, Event, HtmlInputElement};
+use web_sys::{Document, Element, Event, HtmlInputElement, KeyboardEvent};
 
 use element::{Kind, Picture, Shown};
 
@@ -71,11 +71,8 @@ impl egui::Plugin for Mirror {
         PAGE.set(None);
     }
 
-    fn input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
-        with_page(|page| {
-            let requests = mem::take(&mut page.requests).into_iter();
-            input.events.extend(requests.map(egui::Event::AccessKitActionRequest));
-        });
+    fn input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        with_page(|page| page.pass_on(ctx, input));
     }
 
     fn output_hook(&mut self, ctx: &egui::Context, output: &mut egui::FullOutput) {
@@ -115,6 +112,10 @@ struct Page {
     timer: Option<i32>,
     written_ms: f64,
     requests: Vec<ActionRequest>,
+    /// An element that the browser's focus has left, which egui has no request for.
+    left: Option<NodeId>,
+    /// Something was chosen from a list, which is to close.
+    chosen: bool,
     listeners: Vec<(&'static str, Closure<dyn FnMut(Event)>)>,
     on_timer: Closure<dyn FnMut()>,
 }
@@ -125,7 +126,7 @@ impl Page {
         let root = document.get_element_by_id("mirror")?;
         root.set_text_content(None);
         let mut listeners = Vec::new();
-        for name in ["click", "input", "change", "focusin"] {
+        for name in ["click", "input", "change", "keydown", "focusin", "focusout"] {
             let listener = Closure::<dyn FnMut(Event)>::new(move |event: Event| {
                 with_page(|page| page.hear(name, &event));
             });
@@ -148,9 +149,33 @@ impl Page {
             timer: None,
             written_ms: f64::NEG_INFINITY,
             requests: Vec::new(),
+            left: None,
+            chosen: false,
             listeners,
             on_timer,
         })
+    }
+
+    /// Gives egui what was asked for, and in the frame after it what follows from that.
+    fn pass_on(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        if !self.requests.is_empty() {
+            let requests = self.requests.drain(..).map(egui::Event::AccessKitActionRequest);
+            input.events.extend(requests);
+            if self.left.is_some() || self.chosen {
+                ctx.request_repaint();
+            }
+            return;
+        }
+        if let Some(left) = self.left.take() {
+            ctx.memory_mut(|memory| {
+                if let Some(focused) = memory.focused().filter(|id| id.accesskit_id() == left) {
+                    memory.surrender_focus(focused);
+                }
+            });
+        }
+        if mem::take(&mut self.chosen) {
+            egui::Popup::close_all(ctx);
+        }
     }
 
     /// Writes the tree now, or, if the last one was written a moment ago, a little later.
@@ -181,17 +206,26 @@ impl Page {
             nodes: update.nodes.iter().map(|(id, node)| (*id, node)).collect(),
             zoom,
             seen: HashSet::new(),
+            orders: Vec::new(),
         };
         let mut children = Vec::new();
         self.write_node(&mut tree, root, None, &mut children);
-        let Tree { seen, .. } = tree;
+        // Those gone leave first, so that none of those that stay has to be moved, which would lose it the focus.
         self.shown.retain(|id, shown| {
-            let stays = seen.contains(id);
+            let stays = tree.seen.contains(id);
             if !stays {
                 shown.element.remove();
             }
             stays
         });
+        for (holder, children) in tree.orders {
+            if let Some(shown) = self.shown.get(&holder).filter(|shown| shown.children != children) {
+                place(&self.shown, &shown.element, &children);
+            }
+            if let Some(shown) = self.shown.get_mut(&holder) {
+                shown.children = children;
+            }
+        }
         if self.children != children {
             place(&self.shown, &self.root, &children);
             self.children = children;
@@ -236,19 +270,16 @@ impl Page {
                 }
             }
         }
-        let mut children = Vec::new();
-        // What lies inside a widget that holds nothing comes after it.
-        let (holder, inner) = if kind.holds() { (Some(kind), &mut children) } else { (holder, siblings) };
-        for &child in node.children() {
-            self.write_node(tree, child, holder, inner);
-        }
-        if kind.holds()
-            && let Some(shown) = self.shown.get(&id)
-            && shown.children != children
-        {
-            place(&self.shown, &shown.element, &children);
-            if let Some(shown) = self.shown.get_mut(&id) {
-                shown.children = children;
+        if kind.holds() {
+            let mut children = Vec::new();
+            for &child in node.children() {
+                self.write_node(tree, child, Some(kind), &mut children);
+            }
+            tree.orders.push((id, children));
+        } else {
+            // What lies inside a widget comes after it.
+            for &child in node.children() {
+                self.write_node(tree, child, holder, siblings);
             }
         }
     }
@@ -265,21 +296,44 @@ impl Page {
         let kind = shown.picture.kind;
         let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
         let (action, data) = match (name, kind) {
-            ("focusin", _) if shown.picture.focusable => (Action::Focus, None),
-            ("click", kind) if kind.is_pressed() => (Action::Click, None),
-            ("input", Kind::Slider) | ("change", Kind::SpinButton) => {
-                let Ok(value) = typed().trim().replace('−', "-").parse::<f64>() else {
-                    shown.forget_state();
-                    return self.ctx.request_repaint();
-                };
-                (Action::SetValue, Some(ActionData::NumericValue(value)))
+            ("focusin", kind) if shown.picture.focusable => {
+                if kind.is_typed() {
+                    shown.begin_typing();
+                }
+                (Action::Focus, None)
             }
+            ("focusout", _) | ("change", Kind::SpinButton | Kind::Text) => {
+                // As Enter or Tab would do in egui: what was typed counts from here.
+                shown.finish_typing();
+                self.left = Some(id);
+                return self.ctx.request_repaint();
+            }
+            ("click", kind) if kind.is_pressed() => {
+                // egui closes a list only when the pointer clicks in it.
+                self.chosen = matches!(kind, Kind::Item("option" | "menuitem"));
+                (Action::Click, None)
+            }
+            // The widget knows its steps; the browser would take a hundredth of the range.
+            ("keydown", Kind::Slider) => {
+                match event.dyn_ref::<KeyboardEvent>().map(KeyboardEvent::key).as_deref() {
+                    Some("ArrowRight" | "ArrowUp") => (Action::Increment, None),
+                    Some("ArrowLeft" | "ArrowDown") => (Action::Decrement, None),
+                    _ => return,
+                }
+            }
+            ("input", Kind::Slider | Kind::SpinButton) => match number(&typed()) {
+                Some(number) => (Action::SetValue, Some(ActionData::NumericValue(number))),
+                None => return shown.begin_typing(),
+            },
             ("input", Kind::Text) => (Action::SetValue, Some(ActionData::Value(typed().into()))),
             _ => return,
         };
-        if action != Action::Focus {
+        match action {
+            Action::Focus => {}
+            Action::Increment | Action::Decrement => event.prevent_default(),
+            _ if kind.is_typed() => shown.begin_typing(),
             // The browser has changed the element; egui may decide otherwise.
-            shown.forget_state();
+            _ => shown.forget_state(),
         }
         let target_tree = accesskit::TreeId::ROOT;
         self.requests.push(ActionRequest { action, target_tree, target_node: id, data });
@@ -300,12 +354,19 @@ impl Drop for Page {
     }
 }
 
+/// What a person typed: `−0.68`, or `42.5 kg` with its unit.
+fn number(typed: &str) -> Option<f64> {
+    typed.split_whitespace().next()?.replace('−', "-").parse().ok()
+}
+
 /// One frame's description.
 struct Tree<'a> {
     nodes: HashMap<NodeId, &'a Node>,
     /// CSS pixels a point.
     zoom: f64,
     seen: HashSet<NodeId>,
+    /// What each element holds, in order.
+    orders: Vec<(NodeId, Vec<NodeId>)>,
 }
 
 impl Tree<'_> {

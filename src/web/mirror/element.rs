@@ -35,7 +35,6 @@ pub enum Kind {
 
 impl Kind {
     fn of(node: &Node, holder: Option<Self>, name: &str) -> Option<Self> {
-        let in_list = holder == Some(Self::Holder("listbox"));
         Some(match node.role() {
             Role::Slider => Self::Slider,
             Role::SpinButton | Role::NumberInput => Self::SpinButton,
@@ -46,7 +45,10 @@ impl Kind {
             }
             Role::CheckBox | Role::Switch => Self::CheckBox,
             Role::RadioButton => Self::Radio,
-            Role::Button | Role::ListBoxOption if in_list => Self::Item("option"),
+            Role::Button | Role::ListBoxOption if holder == Some(Self::Holder("listbox")) => {
+                Self::Item("option")
+            }
+            Role::Button if holder == Some(Self::Holder("menu")) => Self::Item("menuitem"),
             Role::MenuItem => Self::Item("menuitem"),
             Role::Tab => Self::Item("tab"),
             Role::Link => Self::Item("link"),
@@ -110,6 +112,11 @@ impl Kind {
     /// Whether a click on it is a click on the widget.
     pub fn is_pressed(self) -> bool {
         matches!(self, Self::CheckBox | Self::Radio | Self::Button | Self::ComboBox | Self::Item(_))
+    }
+
+    /// Whether one types into it.
+    pub fn is_typed(self) -> bool {
+        matches!(self, Self::SpinButton | Self::Text)
     }
 
     fn input_type(self) -> Option<&'static str> {
@@ -238,7 +245,8 @@ fn attributes(kind: Kind, node: &Node, name: &str) -> Vec<(&'static str, String)
             },
         );
     }
-    if let Some(expanded) = node.is_expanded().or((kind == Kind::ComboBox).then_some(false)) {
+    // egui tells this of what folds; a combo box's user has to: `node.set_expanded(combo.inner.is_some())`.
+    if let Some(expanded) = node.is_expanded() {
         put("aria-expanded", if expanded { "true" } else { "false" });
     }
     if let Some(orientation) = node.orientation() {
@@ -282,6 +290,8 @@ pub struct Shown {
     pub picture: Picture,
     /// What stands in it, in order.
     pub children: Vec<NodeId>,
+    /// Whether somebody is typing into it: until they are done its text is theirs.
+    typing: bool,
 }
 
 impl Shown {
@@ -297,7 +307,7 @@ impl Shown {
             attributes: Vec::new(),
             bounds: None,
         };
-        let mut shown = Self { element, picture: blank, children: Vec::new() };
+        let mut shown = Self { element, picture: blank, children: Vec::new(), typing: false };
         shown.update(picture);
         Some(shown)
     }
@@ -327,6 +337,7 @@ impl Shown {
         // After the attributes: a range takes no value outside its limits.
         if let Some(input) = self.element.dyn_ref::<HtmlInputElement>()
             && old.state != picture.state
+            && !self.typing
         {
             match &picture.state {
                 State::Value(value) => input.set_value(value),
@@ -352,6 +363,17 @@ impl Shown {
     /// The browser has changed the element's own state: it is to be written again, whatever egui makes of it.
     pub fn forget_state(&mut self) {
         self.picture.state = State::None;
+    }
+
+    /// From now on its text is not written.
+    pub fn begin_typing(&mut self) {
+        self.typing = true;
+    }
+
+    /// Its text is written again, whatever egui made of it.
+    pub fn finish_typing(&mut self) {
+        self.typing = false;
+        self.forget_state();
     }
 }
 
