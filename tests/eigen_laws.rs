@@ -14,17 +14,11 @@ fn assert_laws(a: &Matrix4<f64>) -> Eigen {
     let values = solved.values.map(|value| value / size);
     for (i, &scaled) in values.iter().enumerate() {
         let (v, l) = (solved.right.column(i), solved.left.column(i));
-        assert!(
-            (v.norm() - 1.0).abs() < 1e-14 && (l.norm() - 1.0).abs() < 1e-14,
-            "unit vectors of {a}"
-        );
+        assert!((v.norm() - 1.0).abs() < 1e-14 && (l.norm() - 1.0).abs() < 1e-14, "unit vectors of {a}");
         // A v = λ v,  Aᵀ l = λ̄ l
         let right = (complex * v - v * scaled).norm();
         let left = (complex.transpose() * l - l * scaled.conj()).norm();
-        assert!(
-            right <= 1e-12 * norm && left <= 1e-12 * norm,
-            "residual {right:e}, {left:e} of {a}"
-        );
+        assert!(right <= 1e-12 * norm && left <= 1e-12 * norm, "residual {right:e}, {left:e} of {a}");
         let (value, participation) = (solved.values[i], solved.participation(i));
         assert!(participation.iter().all(|p| (0.0..=1.0).contains(p)));
         assert!((participation.iter().sum::<f64>() - 1.0).abs() < 1e-14);
@@ -33,30 +27,18 @@ fn assert_laws(a: &Matrix4<f64>) -> Eigen {
             assert_eq!(solved.right.column(i + 1), v.conjugate());
             assert_eq!(solved.left.column(i + 1), l.conjugate());
         } else if value.im < 0.0 {
-            assert!(
-                i > 0 && solved.values[i - 1] == value.conj(),
-                "pairs of {a}"
-            );
+            assert!(i > 0 && solved.values[i - 1] == value.conj(), "pairs of {a}");
         } else {
-            assert!(
-                v.iter().chain(l.iter()).all(|x| x.im == 0.0),
-                "real vectors of {a}"
-            );
+            assert!(v.iter().chain(l.iter()).all(|x| x.im == 0.0), "real vectors of {a}");
         }
     }
     // hypot may differ by a rounding from the norm the solver sorted by
-    let sorted = values
-        .windows(2)
-        .all(|pair| pair[0].norm() >= pair[1].norm() * (1.0 - 1e-14));
+    let sorted = values.windows(2).all(|pair| pair[0].norm() >= pair[1].norm() * (1.0 - 1e-14));
     assert!(sorted, "largest first: {values:?}");
     // Σλ = tr A, Πλ = det A; A + E with ‖E‖ ≈ 1e-14‖A‖ moves det A by at most about 4‖A‖³‖E‖.
-    let (sum, product): (Complex<f64>, Complex<f64>) =
-        (values.iter().sum(), values.iter().product());
+    let (sum, product): (Complex<f64>, Complex<f64>) = (values.iter().sum(), values.iter().product());
     assert!((sum - unit.trace()).norm() <= 1e-13 * norm, "trace of {a}");
-    assert!(
-        (product - unit.determinant()).norm() <= 1e-12 * norm.powi(4),
-        "determinant of {a}"
-    );
+    assert!((product - unit.determinant()).norm() <= 1e-12 * norm.powi(4), "determinant of {a}");
     solved
 }
 
@@ -71,8 +53,7 @@ fn places() -> impl Strategy<Value = Vec<usize>> {
 /// The printed lesson model in metres and radians.
 fn aircraft() -> Matrix4<f64> {
     Matrix4::from_row_slice(&[
-        -0.045, 0.036, 0.0, -9.81, -0.369, -2.02, 53.6, 0.0, 0.00627, -0.13, -2.98, 0.0, 0.0, 0.0,
-        1.0, 0.0,
+        -0.045, 0.036, 0.0, -9.81, -0.369, -2.02, 53.6, 0.0, 0.00627, -0.13, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
     ])
 }
 
@@ -85,44 +66,22 @@ fn upper(a: f64, b: f64, c: f64, couplings: &[f64]) -> Matrix4<f64> {
 }
 
 fn matrix() -> impl Strategy<Value = Matrix4<f64>> {
-    let many_scales =
-        (-1.0..1.0_f64, -12.0..12.0_f64).prop_map(|(x, power)| x * 10_f64.powf(power));
+    let many_scales = (-1.0..1.0_f64, -12.0..12.0_f64).prop_map(|(x, power)| x * 10_f64.powf(power));
     let sparse = prop_oneof![4 => Just(0.0), 1 => Just(1.0), 1 => Just(-1.0)];
-    let permutation = (
-        places(),
-        proptest::collection::vec(prop_oneof![Just(1.0), Just(-1.0)], 4),
-    )
-        .prop_map(|(place, sign)| {
-            Matrix4::from_fn(|i, j| if place[i] == j { sign[i] } else { 0.0 })
-        });
-    let triangle = (
-        -2.0..2.0,
-        prop_oneof![Just(0.0), -2.0..2.0],
-        proptest::collection::vec(-9.0..9.0, 6),
-    );
+    let permutation = (places(), proptest::collection::vec(prop_oneof![Just(1.0), Just(-1.0)], 4))
+        .prop_map(|(place, sign)| Matrix4::from_fn(|i, j| if place[i] == j { sign[i] } else { 0.0 }));
+    let triangle = (-2.0..2.0, prop_oneof![Just(0.0), -2.0..2.0], proptest::collection::vec(-9.0..9.0, 6));
     let defective = (triangle, places()).prop_map(|((a, b, couplings), place)| {
         let triangle = upper(a, a, b, &couplings);
         Matrix4::from_fn(|i, j| triangle[(place[i], place[j])])
     });
     let hidden_jordan = (-2.0..2.0, entries(-1.0..1.0)).prop_map(|(value, mix)| {
         let mix = mix + Matrix4::identity() * 3.0;
-        let jordan = Matrix4::from_fn(|i, j| {
-            if i == j {
-                value
-            } else {
-                f64::from(u8::from(j == i + 1))
-            }
-        });
-        mix.try_inverse()
-            .map_or(jordan, |inverse| mix * jordan * inverse)
+        let jordan = Matrix4::from_fn(|i, j| if i == j { value } else { f64::from(u8::from(j == i + 1)) });
+        mix.try_inverse().map_or(jordan, |inverse| mix * jordan * inverse)
     });
-    let companion = (
-        -9.0..9.0,
-        -9.0..9.0,
-        -9.0..9.0,
-        prop_oneof![Just(0.0), -9.0..9.0],
-    )
-        .prop_map(companion_of);
+    let companion =
+        (-9.0..9.0, -9.0..9.0, -9.0..9.0, prop_oneof![Just(0.0), -9.0..9.0]).prop_map(companion_of);
     let crippled = (0..16_usize, 0..16_usize, -2.0..2.0).prop_map(|(zero, other, factor)| {
         let mut a = aircraft();
         a[other] *= factor;
@@ -139,18 +98,12 @@ fn matrix() -> impl Strategy<Value = Matrix4<f64>> {
         companion,
         crippled,
     ];
-    (
-        any,
-        prop_oneof![4 => Just(1.0), 1 => Just(1e150), 1 => Just(1e-150)],
-    )
-        .prop_map(|(a, size)| a * size)
+    (any, prop_oneof![4 => Just(1.0), 1 => Just(1e150), 1 => Just(1e-150)]).prop_map(|(a, size)| a * size)
 }
 
 /// Companion matrix of s⁴ + a s³ + b s² + c s + d.
 fn companion_of((a, b, c, d): (f64, f64, f64, f64)) -> Matrix4<f64> {
-    Matrix4::from_row_slice(&[
-        -a, -b, -c, -d, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-    ])
+    Matrix4::from_row_slice(&[-a, -b, -c, -d, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0])
 }
 
 proptest! {
@@ -180,18 +133,9 @@ proptest! {
 
 #[test]
 fn zero_and_identity_have_independent_vectors() {
-    for a in [
-        Matrix4::zeros(),
-        Matrix4::identity(),
-        Matrix4::identity() * -1e-150,
-    ] {
+    for a in [Matrix4::zeros(), Matrix4::identity(), Matrix4::identity() * -1e-150] {
         let solved = assert_laws(&a);
-        assert!(
-            solved
-                .values
-                .iter()
-                .all(|value| *value == Complex::from(a[0]))
-        );
+        assert!(solved.values.iter().all(|value| *value == Complex::from(a[0])));
         assert_eq!(solved.right.determinant().norm(), 1.0);
     }
 }
@@ -285,9 +229,7 @@ struct HardValue {
 fn allowed(matrix: &HardMatrix, value: &HardValue) -> f64 {
     let error = 2e-14 * matrix.balanced_norm;
     let elsner = (2.0 * matrix.balanced_norm).powf(0.75) * error.powf(0.25);
-    value
-        .condition
-        .map_or(elsner, |condition| elsner.min(condition * error))
+    value.condition.map_or(elsner, |condition| elsner.min(condition * error))
 }
 
 #[test]
@@ -301,8 +243,7 @@ fn hard_matrices_have_lapacks_eigenvalues() {
         for value in &matrix.eigenvalues {
             let lapack = Complex::new(value.re, value.im);
             let distance = |mine: &Complex<f64>| (mine - lapack).norm();
-            let nearest =
-                (0..left.len()).min_by(|&i, &j| distance(&left[i]).total_cmp(&distance(&left[j])));
+            let nearest = (0..left.len()).min_by(|&i, &j| distance(&left[i]).total_cmp(&distance(&left[j])));
             let mine = left.swap_remove(nearest.expect("as many values as LAPACK's"));
             let (off, allowed) = (distance(&mine), allowed(matrix, value));
             assert!(

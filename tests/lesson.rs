@@ -65,10 +65,7 @@ fn solved(a: &Matrix4<f64>) -> Eigen {
 /// Relative to the value, or to 1e-9 where it is smaller: the smallest printed one is 2e-6 and zeros must be near zero.
 fn assert_close(got: f64, want: f64, tolerance: f64, what: &str) {
     let error = (got - want).abs() / want.abs().max(1e-9);
-    assert!(
-        error <= tolerance,
-        "{what}: {got} should be {want} (off by {error:.1e})"
-    );
+    assert!(error <= tolerance, "{what}: {got} should be {want} (off by {error:.1e})");
 }
 
 fn assert_states(got: &Vector4<f64>, want: &[f64; 4], what: &str) {
@@ -99,12 +96,7 @@ fn mode_shapes_and_participation_are_scipys() {
             for k in 0..4 {
                 assert_close(v[k].norm() / v[3].norm(), mode.shape[k], 1e-9, &model.name);
                 for column in [2 * pair, 2 * pair + 1] {
-                    assert_close(
-                        solved.participation(column)[k],
-                        mode.participation[k],
-                        1e-9,
-                        &model.name,
-                    );
+                    assert_close(solved.participation(column)[k], mode.participation[k], 1e-9, &model.name);
                 }
             }
         }
@@ -114,21 +106,10 @@ fn mode_shapes_and_participation_are_scipys() {
 #[test]
 fn the_step_response_is_python_controls() {
     let golden = Golden::read();
-    let step = Input::Step {
-        amplitude: 1.0,
-        start: 0.0,
-    };
+    let step = Input::Step { amplitude: 1.0, start: 0.0 };
     for model in &golden.models {
         for (steps, per_second) in [(60, 2.0), (3000, 100.0)] {
-            let response = respond(
-                &model.a(),
-                &golden.b(),
-                &step,
-                TimeGrid {
-                    duration: 30.0,
-                    steps,
-                },
-            );
+            let response = respond(&model.a(), &golden.b(), &step, TimeGrid { duration: 30.0, steps });
             assert_eq!(response.cut_at, None);
             for sample in &model.step {
                 let index = (sample.t * per_second).round() as usize;
@@ -145,16 +126,9 @@ fn the_step_response_is_python_controls() {
 #[test]
 fn the_pulse_response_is_scipys_with_zero_order_hold() {
     let golden = Golden::read();
-    let grid = TimeGrid {
-        duration: 20.0,
-        steps: 999,
-    };
+    let grid = TimeGrid { duration: 20.0, steps: 999 };
     let start = grid.time(50);
-    let pulse = Input::Pulse {
-        amplitude: 0.1,
-        start,
-        duration: grid.time(60) - start,
-    };
+    let pulse = Input::Pulse { amplitude: 0.1, start, duration: grid.time(60) - start };
     for model in &golden.models {
         let response = respond(&model.a(), &golden.b(), &pulse, grid);
         assert_eq!(response.states.len(), 1000);
@@ -171,17 +145,9 @@ fn the_pulse_response_is_scipys_with_zero_order_hold() {
 #[test]
 fn gravity_in_the_wrong_unit_does_not_change_the_steady_speed() {
     let golden = Golden::read();
-    for (model, theta) in golden
-        .models
-        .iter()
-        .zip([-0.053_221_483_54, -1.621_437_122_87])
-    {
+    for (model, theta) in golden.models.iter().zip([-0.053_221_483_54, -1.621_437_122_87]) {
         let steady = steady_state(&model.a(), &golden.b()).expect("A is not singular");
-        assert_states(
-            &steady,
-            &[10.025_489_155_7, -1.970_992_821_02, 0.0, theta],
-            &model.name,
-        );
+        assert_states(&steady, &[10.025_489_155_7, -1.970_992_821_02, 0.0, theta], &model.name);
     }
 }
 
@@ -191,20 +157,13 @@ fn the_oscillation_turns_unstable_at_the_neutral_gravity() {
     let growth = |g: f64| {
         let mut a = golden.models[0].a();
         a[(0, 3)] = -g;
-        solved(&a)
-            .values
-            .iter()
-            .fold(f64::MIN, |largest, value| largest.max(value.re))
+        solved(&a).values.iter().fold(f64::MIN, |largest, value| largest.max(value.re))
     };
     let (mut stable, mut unstable) = (0.322, 9.81);
     assert!(growth(stable) < 0.0 && growth(unstable) > 0.0);
     for _ in 0..60 {
         let middle = 0.5 * (stable + unstable);
-        if growth(middle) < 0.0 {
-            stable = middle
-        } else {
-            unstable = middle
-        }
+        if growth(middle) < 0.0 { stable = middle } else { unstable = middle }
     }
     assert_close(unstable, golden.neutral_gravity, 1e-10, "neutral gravity");
 }
@@ -217,18 +176,9 @@ fn the_unit_of_velocity_changes_no_eigenvalue() {
     for model in Golden::read().models {
         let (own, si) = (solved(&model.a()), solved(&(unit * model.a() * inverse)));
         for i in 0..4 {
-            assert!(
-                (own.values[i] - si.values[i]).norm() < 1e-10,
-                "{}",
-                model.name
-            );
+            assert!((own.values[i] - si.values[i]).norm() < 1e-10, "{}", model.name);
             for k in 0..4 {
-                assert_close(
-                    si.participation(i)[k],
-                    own.participation(i)[k],
-                    1e-10,
-                    &model.name,
-                );
+                assert_close(si.participation(i)[k], own.participation(i)[k], 1e-10, &model.name);
             }
         }
     }

@@ -66,6 +66,8 @@ pub struct Analysis {
     pub gravity: GravityCheck,
     /// The motion in the experiment.
     pub response: Response,
+    /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
+    pub small_until: Option<f64>,
 }
 
 /// Why a model can't be analysed.
@@ -91,13 +93,27 @@ pub fn analyse(model: &LongitudinalModel, experiment: &Experiment) -> Result<Ana
         Channel::Elevator => model.b_elevator,
         Channel::VerticalGust => model.b_vertical_gust(),
     };
+    let response = respond(&model.a, &b, &experiment.input, experiment.grid);
     Ok(Analysis {
         dynamic_stability,
         static_stability: static_stability(model),
         gravity: gravity_check(model),
-        response: respond(&model.a, &b, &experiment.input, experiment.grid),
+        small_until: small_until(&response, model.u0),
+        response,
         modes,
     })
+}
+
+/// When a motion first leaves |u| ≤ U₀/2, |w|/U₀ ≤ 0.35 (α = 20°, about the stall), |θ| ≤ 1 rad; `None` if it never does.
+///
+/// Beyond these the linear equations are no approximation of anything. The limits are ours, and generous.
+fn small_until(response: &Response, u0: f64) -> Option<f64> {
+    let small = |x: &Vector4<f64>| {
+        let [u, w, _, theta] = (*x).into();
+        u.abs() <= 0.5 * u0 && w.abs() <= 0.35 * u0 && theta.abs() <= 1.0
+    };
+    let k = response.states.iter().position(|x| !small(x))?;
+    Some(k as f64 * response.dt)
 }
 
 /// The named modes of a model, short period first.

@@ -32,9 +32,7 @@ pub enum EigenError {
     )]
     NotFinite,
     /// The iteration used up its bound; no matrix is known that does this.
-    #[error(
-        "the eigenvalues of this state matrix could not be found: the iteration did not settle"
-    )]
+    #[error("the eigenvalues of this state matrix could not be found: the iteration did not settle")]
     NotConverged,
 }
 
@@ -44,10 +42,7 @@ impl Eigen {
     /// Always four finite shares. Where v and l have no state in common (an exactly defective matrix) the mean of |vₖ|² and
     /// |lₖ|² stands in: half where the mode shows, half where it is excited. A `mode` above 3 means the last one.
     pub fn participation(&self, mode: usize) -> [f64; 4] {
-        let (v, l) = (
-            self.right.column(mode.min(3)),
-            self.left.column(mode.min(3)),
-        );
+        let (v, l) = (self.right.column(mode.min(3)), self.left.column(mode.min(3)));
         // pₖ = |vₖ| |lₖ| / Σ |vᵢ| |lᵢ|
         let products: [f64; 4] = std::array::from_fn(|k| v[k].norm() * l[k].norm());
         let sum: f64 = products.iter().sum();
@@ -79,15 +74,9 @@ pub fn eigen(a: &Matrix4<f64>) -> Result<Eigen, EigenError> {
         }
     }
     // Adding zero makes −0 a 0.
-    solved.values = solved
-        .values
-        .map(|value| value * scale + Complex::from(0.0));
+    solved.values = solved.values.map(|value| value * scale + Complex::from(0.0));
     let finite = |value: &Complex<f64>| value.re.is_finite() && value.im.is_finite();
-    if solved.values.iter().all(finite) {
-        Ok(solved)
-    } else {
-        Err(EigenError::NotFinite)
-    }
+    if solved.values.iter().all(finite) { Ok(solved) } else { Err(EigenError::NotFinite) }
 }
 
 /// The largest power of two not above `x` ≥ 0, or the smallest normal number: multiplying by it rounds nothing.
@@ -101,8 +90,7 @@ impl Eigen {
         let (allowed, a) = (1e-13 * a.norm(), a.map(Complex::from));
         (0..4).filter(|&i| self.values[i].im >= 0.0).all(|i| {
             let (value, v, l) = (self.values[i], self.right.column(i), self.left.column(i));
-            (a * v - v * value).norm() <= allowed
-                && (a.tr_mul(&l) - l * value.conj()).norm() <= allowed
+            (a * v - v * value).norm() <= allowed && (a.tr_mul(&l) - l * value.conj()).norm() <= allowed
         })
     }
 
@@ -122,13 +110,7 @@ impl Eigen {
     }
 
     /// Puts v and l, made unit vectors, into column i and if they are of a pair their conjugates into the next.
-    fn set_vectors(
-        &mut self,
-        i: usize,
-        pair: bool,
-        v: Vector4<Complex<f64>>,
-        l: Vector4<Complex<f64>>,
-    ) {
+    fn set_vectors(&mut self, i: usize, pair: bool, v: Vector4<Complex<f64>>, l: Vector4<Complex<f64>>) {
         let (v, l) = (unit_vector(v, !pair), unit_vector(l, !pair));
         self.right.set_column(i, &v);
         self.left.set_column(i, &l);
@@ -147,10 +129,7 @@ struct Balance {
 
 impl Balance {
     fn none() -> Self {
-        Self {
-            order: [0, 1, 2, 3],
-            d: [1.0; 4],
-        }
+        Self { order: [0, 1, 2, 3], d: [1.0; 4] }
     }
 
     /// Permutation and power-of-two scaling that bring rows and columns to like size (LAPACK `dgebal`; GVL §7.5.7).
@@ -161,9 +140,8 @@ impl Balance {
         let mut b = *a;
         // A row (column) with nothing beside its diagonal holds an eigenvalue already: to the end (front) with it.
         let (mut lo, mut end) = (0, 4);
-        let alone = |b: &Matrix4<f64>, i: usize, lo: usize, end: usize| {
-            (lo..end).all(|j| j == i || b[(i, j)] == 0.0)
-        };
+        let alone =
+            |b: &Matrix4<f64>, i: usize, lo: usize, end: usize| (lo..end).all(|j| j == i || b[(i, j)] == 0.0);
         while let Some(i) = (lo..end).rev().find(|&i| alone(&b, i, lo, end)) {
             end -= 1;
             swap(&mut b, &mut order, i, end);
@@ -215,11 +193,8 @@ fn solve(a: &Matrix4<f64>, balance: &Balance) -> Result<Eigen, EigenError> {
     let mut places = [0, 1, 2, 3];
     // The sort is stable and |λ| = |λ̄| to the bit, so pairs stay together.
     places.sort_by(|&i, &j| t[(j, j)].norm().total_cmp(&t[(i, i)].norm()));
-    let mut solved = Eigen {
-        values: places.map(|k| t[(k, k)] * scale),
-        right: Matrix4::zeros(),
-        left: Matrix4::zeros(),
-    };
+    let mut solved =
+        Eigen { values: places.map(|k| t[(k, k)] * scale), right: Matrix4::zeros(), left: Matrix4::zeros() };
     for (column, &k) in places.iter().enumerate() {
         let im = solved.values[column].im;
         if im < 0.0 {
@@ -243,11 +218,7 @@ fn gap(t: &Matrix4<Complex<f64>>, i: usize, k: usize) -> Complex<f64> {
     let gap = t[(i, i)] - t[(k, k)];
     // 10⁻⁷⁰ ‖T‖: three divisions by it stay far below overflow, the error it makes far below rounding.
     let least = (f64::EPSILON * t[(k, k)].norm()).max(1e-70);
-    if gap.norm() < least {
-        Complex::from(least)
-    } else {
-        gap
-    }
+    if gap.norm() < least { Complex::from(least) } else { gap }
 }
 
 /// y with T y = λₖ y by back substitution (LAPACK `ztrevc`).
@@ -276,11 +247,7 @@ fn left_vector(t: &Matrix4<Complex<f64>>, k: usize) -> Vector4<Complex<f64>> {
 
 /// v divided by a power of two, so that its largest part is between 1 and 2.
 fn rescaled(v: Vector4<Complex<f64>>) -> Vector4<Complex<f64>> {
-    let size = power_of_two(
-        v.iter()
-            .map(|x| x.re.abs().max(x.im.abs()))
-            .fold(0.0, f64::max),
-    );
+    let size = power_of_two(v.iter().map(|x| x.re.abs().max(x.im.abs())).fold(0.0, f64::max));
     v.map(|x| x / size)
 }
 

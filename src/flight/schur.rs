@@ -85,10 +85,7 @@ fn reflect(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, x: Vector4<f64>, k: usize
 /// Complex Schur form U T Uᴴ from the real one: a rotation for each 2×2 block (MATLAB `rsf2csf`; LAPACK `dlanv2`).
 ///
 /// The diagonal of T is exact where it matters: real, or λ above λ̄ with positive imaginary part.
-pub(super) fn triangle(
-    q: &Matrix4<f64>,
-    h: &Matrix4<f64>,
-) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
+pub(super) fn triangle(q: &Matrix4<f64>, h: &Matrix4<f64>) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
     let (mut u, mut t) = (q.map(Complex::from), h.map(Complex::from));
     for i in (0..3).filter(|&i| h[(i + 1, i)] != 0.0) {
         let (a, b, c, d) = (h[(i, i)], h[(i, i + 1)], h[(i + 1, i)], h[(i + 1, i + 1)]);
@@ -97,11 +94,7 @@ pub(super) fn triangle(
         let size = p.abs().max(b.abs()).max(c.abs());
         let discriminant = (p / size) * p + (b / size) * c;
         let root = size.sqrt() * discriminant.abs().sqrt();
-        let z = if discriminant >= 0.0 {
-            Complex::from(p + root.copysign(p))
-        } else {
-            Complex::new(p, root)
-        };
+        let z = if discriminant >= 0.0 { Complex::from(p + root.copysign(p)) } else { Complex::new(p, root) };
         let (first, second) = if z.im > 0.0 {
             (Complex::new(d + p, root), Complex::new(d + p, -root))
         } else if z.re == 0.0 {

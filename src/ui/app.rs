@@ -164,7 +164,7 @@ impl App {
         let palette = Palette::of(ui);
         let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
         Panel::left("derivatives")
-            .exact_size(if wide { 362.0 } else { 330.0 })
+            .exact_size(if wide { 362.0 } else { 344.0 })
             .resizable(false)
             .frame(side)
             .show(ui, |ui| {
@@ -195,9 +195,12 @@ impl App {
                 .id_salt("middle")
                 .auto_shrink(false)
                 .show(ui, |ui| {
-                    self.pole_pane_ui(ui, 290.0);
-                    let action = theme::pane(palette).show(ui, |ui| self.modes_ui(ui)).inner;
+                    let action = self.verdicts_ui(ui);
+                    self.pole_pane_ui(ui, 250.0);
                     self.response_pane_ui(ui, Rows::Dense);
+                    ui.columns(2, |columns| {
+                        self.cards_ui(|i| i % 2, columns);
+                    });
                     action
                 })
                 .inner
@@ -289,16 +292,19 @@ impl App {
         }
     }
 
-    /// Verdicts, the warning about units where there is one, and a card for each mode.
+    /// Verdicts, and a card for each mode.
     fn modes_ui(&mut self, ui: &mut Ui) -> Option<Action> {
+        let action = self.verdicts_ui(ui);
+        self.cards_ui(|_| 0, std::slice::from_mut(ui));
+        action
+    }
+
+    /// The verdicts, and what stands in their way: the warning about units, a file that could not be read.
+    fn verdicts_ui(&mut self, ui: &mut Ui) -> Option<Action> {
         let palette = Palette::of(ui);
         for error in &self.content_errors {
-            banner_ui(
-                ui,
-                &format!("An aircraft could not be read: {error}"),
-                palette.warning,
-                palette.warning_ground,
-            );
+            let text = format!("An aircraft could not be read: {error}");
+            banner_ui(ui, &text, palette.warning, palette.warning_ground);
         }
         let analysis = match self.memo.refresh(&self.scenario) {
             Ok(analysis) => analysis,
@@ -307,24 +313,23 @@ impl App {
                 return None;
             }
         };
-        let mut action = None;
         verdicts_ui(ui, analysis, self.scenario.aircraft.length_unit);
-        if let Some(warning) = units_warning(analysis) {
-            banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
-            let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson");
-            if let Some(aircraft) = same_unit.filter(|_| self.ghost.is_none())
-                && ui.button("Compare with gravity in the same unit").clicked()
-            {
-                action = Some(Action::CompareWith(aircraft.clone()));
-            }
-        }
+        let warning = units_warning(analysis)?;
+        banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
+        let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;
+        let offered = self.ghost.is_none() && ui.button("Compare with gravity in the same unit").clicked();
+        offered.then(|| Action::CompareWith(same_unit.clone()))
+    }
+
+    /// A card for each mode, in the columns that `column` tells.
+    fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
+        let Ok(analysis) = self.memo.refresh(&self.scenario) else { return };
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
-        for mode in &analysis.modes {
+        for (i, mode) in analysis.modes.iter().enumerate() {
             let before =
                 ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
-            card_ui(ui, mode, before);
+            card_ui(&mut columns[column(i)], mode, before);
         }
-        action
     }
 
     fn apply(&mut self, action: Action) {

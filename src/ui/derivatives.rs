@@ -6,13 +6,13 @@ use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
+use crate::content::LengthUnit;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
 use crate::scenario::{PARAMETERS, Parameter, Scenario};
 
 const SYMBOL_WIDTH: f32 = 58.0;
 const FIELD_WIDTH: f32 = 68.0;
-const UNIT_WIDTH: f32 = 62.0;
 const RESET_WIDTH: f32 = 20.0;
 const HELP_HEIGHT: f32 = 132.0;
 
@@ -84,7 +84,8 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
             ui.painter().rect_filled(row, 4.0, palette.field);
         }
         symbol_ui(ui, &symbol, 15.0, palette.text, Some(SYMBOL_WIDTH));
-        let rest = FIELD_WIDTH + UNIT_WIDTH + RESET_WIDTH + 5.0 * 4.0 + 8.0;
+        let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
+        let rest = FIELD_WIDTH + unit_width + RESET_WIDTH + 5.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {
             name: &name,
             value_text: format!("{shown} {unit}"),
@@ -110,10 +111,10 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
         new = field.accepted.or(new);
         refusal = field.refusal;
         ui.allocate_ui_with_layout(
-            Vec2::new(UNIT_WIDTH, height),
+            Vec2::new(unit_width, height),
             Layout::left_to_right(Align::Center),
             |ui| {
-                ui.set_min_width(UNIT_WIDTH);
+                ui.set_min_width(unit_width);
                 ui.label(RichText::new(unit).size(10.5).color(palette.weak));
             },
         );

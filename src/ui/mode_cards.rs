@@ -93,6 +93,7 @@ pub fn card_ui(ui: &mut Ui, mode: &Mode, before: Option<&Mode>) {
         .inner_margin(Margin { left: 15, right: 10, top: 8, bottom: 9 })
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
+            ui.spacing_mut().interact_size.y = 19.0;
             ui.horizontal(|ui| {
                 ui.label(RichText::new(mode.naming.name.text()).heading().size(14.0).color(color));
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| chip_ui(ui, mode));
@@ -221,5 +222,5 @@ fn change(before: &Mode, now: &Mode) -> String {
     let period = before.period().zip(now.period()).map(|(a, b)| arrow("T", " s", a, b));
     let real = (zeta.is_none()).then(|| arrow("σ", " 1/s", before.lambda.re, now.lambda.re));
     let parts: Vec<String> = [zeta, period, real].into_iter().flatten().collect();
-    format!("Since pinned: {}", parts.join(", "))
+    format!("Pinned → now: {}", parts.join(", "))
 }

@@ -46,7 +46,7 @@ impl PoleMap {
         }
         let maps = [
             Map { name: "All modes", rect: whole, ranged: all, inset: None },
-            Map { name: "Slow modes, their own scale", rect: slow, ranged: few, inset: None },
+            Map { name: "Slow modes, own scale", rect: slow, ranged: few, inset: None },
         ];
         let mut views = Vec::new();
         for (map, range) in maps.iter().zip([&mut self.whole, &mut self.slow]) {

@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{Align2, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
-use egui_plot::{GridMark, HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, VLine};
+use egui::{Align2, Color32, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
+use egui_plot::{GridMark, HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, Span, VLine};
 
 use super::axis_range::AxisRange;
 use super::symbol::Symbol;
@@ -12,9 +12,18 @@ use crate::number::significant;
 
 const TITLE_HEIGHT: f32 = 20.0;
 /// Room for the figures left of a plot and below it.
-const GUTTER: Vec2 = Vec2::new(34.0, 14.0);
+const GUTTER: Vec2 = Vec2::new(36.0, 14.0);
 /// Least distance of the figures on either axis.
 const APART: Vec2 = Vec2::new(64.0, 34.0);
+
+/// A curve in shown units.
+#[derive(Clone, Debug, Default)]
+pub struct Curve {
+    /// Its points.
+    pub points: Vec<PlotPoint>,
+    /// How many of them, from the first, are of a small disturbance; the rest may leave the frame.
+    pub small: usize,
+}
 
 /// What a small plot shows.
 #[derive(Debug)]
@@ -25,10 +34,10 @@ pub struct Curves<'a> {
     pub unit: &'a str,
     /// Symbol and unit of the horizontal axis.
     pub against: (&'static str, &'a str),
-    /// The curve, in shown units.
-    pub now: &'a [PlotPoint],
+    /// The curve.
+    pub now: &'a Curve,
     /// The pinned curve, if any.
-    pub ghost: Option<&'a [PlotPoint]>,
+    pub ghost: Option<&'a Curve>,
 }
 
 /// A small plot with its ranges as they are on screen.
@@ -41,11 +50,21 @@ pub struct ResponsePlot {
 impl ResponsePlot {
     /// Draws the curves over `rect`, which are functions of the horizontal axis, with the cursor that all share.
     pub fn show(&mut self, ui: &mut Ui, rect: Rect, curves: &Curves<'_>, cursor: &mut Option<f64>) {
-        let value = cursor.and_then(|t| at(curves.now, t));
-        title(ui, rect, curves, value);
-        let last = curves.now.last().map_or(1.0, |point| point.x);
-        let x = self.x.toward(ui, 0.0..=last.max(1e-3));
-        let response = self.plot(ui, rect, curves, x, *cursor);
+        let palette = Palette::of(ui);
+        let points = &curves.now.points;
+        title(ui, rect, curves, cursor.and_then(|t| at(points, t)));
+        let last = points.last().map_or(1.0, |point| point.x).max(1e-3);
+        let x = self.x.toward(ui, 0.0..=last);
+        let y = self.y.toward(ui, range(curves, |point| point.y));
+        let beyond = points.get(curves.now.small).map(|point| point.x..=last);
+        let marked = *cursor;
+        let response = draw(ui, frame_in(rect), curves, (x, y), beyond, |plot| {
+            if let Some(time) = marked {
+                let line =
+                    VLine::new("", time).color(palette.weak).width(1.0).style(LineStyle::dotted_dense());
+                plot.vline(line.allow_hover(false));
+            }
+        });
         if let Some(pointer) = response.hover_pos() {
             let fraction = f64::from((pointer.x - response.rect.left()) / response.rect.width());
             *cursor = Some((fraction * last).clamp(0.0, last));
@@ -56,10 +75,9 @@ impl ResponsePlot {
     pub fn show_path(&mut self, ui: &mut Ui, rect: Rect, curves: &Curves<'_>, mark: Option<PlotPoint>) {
         title(ui, rect, curves, None);
         let x = self.x.toward(ui, range(curves, |point| point.x));
-        let y_range = self.y.toward(ui, range(curves, |point| point.y));
-        let plot_rect = frame_in(rect);
+        let y = self.y.toward(ui, range(curves, |point| point.y));
         let palette = Palette::of(ui);
-        draw(ui, plot_rect, curves, x, y_range, |plot| {
+        draw(ui, frame_in(rect), curves, (x, y), None, |plot| {
             plot.points(
                 egui_plot::Points::new("", vec![[0.0, 0.0]])
                     .radius(2.5)
@@ -76,29 +94,6 @@ impl ResponsePlot {
             }
         });
     }
-
-    fn plot(
-        &mut self,
-        ui: &mut Ui,
-        rect: Rect,
-        curves: &Curves<'_>,
-        x: RangeInclusive<f64>,
-        cursor: Option<f64>,
-    ) -> egui::Response {
-        let y = self.y.toward(ui, range(curves, |point| point.y));
-        let palette = Palette::of(ui);
-        draw(ui, frame_in(rect), curves, x, y, |plot| {
-            if let Some(t) = cursor {
-                plot.vline(
-                    VLine::new("", t)
-                        .color(palette.weak)
-                        .width(1.0)
-                        .style(LineStyle::dotted_dense())
-                        .allow_hover(false),
-                );
-            }
-        })
-    }
 }
 
 /// The frame of a plot in its place, without title and figures.
@@ -106,12 +101,13 @@ fn frame_in(rect: Rect) -> Rect {
     Rect::from_min_max(rect.min + Vec2::new(GUTTER.x, TITLE_HEIGHT), rect.max - Vec2::new(0.0, GUTTER.y))
 }
 
+/// Frame, figures and curves; `beyond` is where the motion is no small disturbance any more.
 fn draw<'a>(
     ui: &mut Ui,
     rect: Rect,
     curves: &Curves<'a>,
-    x: RangeInclusive<f64>,
-    y: RangeInclusive<f64>,
+    (x, y): (RangeInclusive<f64>, RangeInclusive<f64>),
+    beyond: Option<RangeInclusive<f64>>,
     extra: impl FnOnce(&mut egui_plot::PlotUi<'a>) + 'a,
 ) -> egui::Response {
     let palette = Palette::of(ui);
@@ -136,6 +132,10 @@ fn draw<'a>(
                 .show(ui, move |plot| {
                     plot.set_plot_bounds_x(x);
                     plot.set_plot_bounds_y(y);
+                    if let Some(beyond) = beyond {
+                        let span = Span::new("", beyond).fill(palette.unstable_half);
+                        plot.span(span.border_color(Color32::TRANSPARENT));
+                    }
                     for mark in &vertical {
                         plot.hline(
                             HLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
@@ -149,7 +149,7 @@ fn draw<'a>(
                     plot.hline(HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
                     if let Some(ghost) = ghost {
                         plot.line(
-                            Line::new("pinned", PlotPoints::Borrowed(ghost))
+                            Line::new("pinned", PlotPoints::Borrowed(&ghost.points))
                                 .color(palette.ghost)
                                 .width(1.2)
                                 .style(LineStyle::dashed_dense())
@@ -158,7 +158,7 @@ fn draw<'a>(
                         );
                     }
                     plot.line(
-                        Line::new("now", PlotPoints::Borrowed(now))
+                        Line::new("now", PlotPoints::Borrowed(&now.points))
                             .color(palette.text)
                             .width(1.8)
                             .allow_band(false)
@@ -233,16 +233,19 @@ fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32) -> Vec<GridMark> 
 
 fn label(mark: &GridMark) -> String {
     let decimals = (-mark.step_size.log10().floor()).clamp(0.0, 9.0) as usize;
-    if mark.value.abs() >= 1e6 {
+    if mark.value.abs() >= 1e5 {
         significant(mark.value, 2)
     } else {
         crate::number::fixed(mark.value, decimals)
     }
 }
 
-/// The range of all curves with a margin, wide enough to include zero.
+/// The range of all curves with a margin, wide enough to include zero. What is no small disturbance any more may leave it.
 fn range(curves: &Curves<'_>, coordinate: impl Fn(&PlotPoint) -> f64) -> RangeInclusive<f64> {
-    let all = curves.now.iter().chain(curves.ghost.into_iter().flatten());
+    let all = [Some(curves.now), curves.ghost]
+        .into_iter()
+        .flatten()
+        .flat_map(|curve| curve.points.iter().take(curve.small));
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     for value in all.map(coordinate) {
         low = low.min(value);
@@ -268,8 +271,8 @@ fn at(points: &[PlotPoint], t: f64) -> Option<f64> {
 
 fn describe(curves: &Curves<'_>) -> String {
     let symbol = Symbol::parse(curves.symbol).plain();
-    let extreme = |pick: fn(f64, f64) -> f64| curves.now.iter().map(|point| point.y).fold(0.0, pick);
-    let last = curves.now.last().map_or(0.0, |point| point.y);
+    let extreme = |pick: fn(f64, f64) -> f64| curves.now.points.iter().map(|point| point.y).fold(0.0, pick);
+    let last = curves.now.points.last().map_or(0.0, |point| point.y);
     format!(
         "Response of {symbol} in {}: between {} and {}, {} at the end",
         curves.unit,

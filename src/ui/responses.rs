@@ -2,9 +2,10 @@
 
 use egui::{ComboBox, Rect, RichText, Ui, Vec2};
 use egui_plot::PlotPoint;
+use nalgebra::Vector4;
 
 use super::derivatives::{self, Rows};
-use super::response_plot::{Curves, ResponsePlot};
+use super::response_plot::{Curve, Curves, ResponsePlot};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
@@ -56,17 +57,25 @@ pub struct Studied<'a> {
 }
 
 impl Studied<'_> {
-    fn curve(&self, quantity: Quantity, in_units_of: &Scenario) -> Vec<PlotPoint> {
+    fn curve(&self, quantity: Quantity, in_units_of: &Scenario) -> Curve {
         // The pinned state is drawn in the units of the one on screen; α is over its own U₀.
         let scale =
             if quantity == ALPHA { quantity.scale(self.scenario) } else { quantity.scale(in_units_of) };
         let Response { dt, states, .. } = &self.analysis.response;
         let row = quantity.state.index();
-        states.iter().enumerate().map(|(k, x)| PlotPoint::new(k as f64 * dt, x[row] * scale)).collect()
+        let point = |(k, x): (usize, &Vector4<f64>)| PlotPoint::new(k as f64 * dt, x[row] * scale);
+        let points = states.iter().enumerate().map(point).collect();
+        Curve { points, small: self.small() }
+    }
+
+    /// How many samples, from the first, are of a small disturbance.
+    fn small(&self) -> usize {
+        let Response { dt, states, .. } = &self.analysis.response;
+        self.analysis.small_until.map_or(states.len(), |time| (time / dt).round() as usize)
     }
 
     /// The input as it is: its edges upright.
-    fn input(&self) -> Vec<PlotPoint> {
+    fn input(&self) -> Curve {
         let experiment = self.scenario.disturbance.experiment();
         let scale = 1.0 / self.input_dimension().in_si(LengthUnit::Metre) * self.input_sign();
         let end = experiment.grid.duration;
@@ -78,7 +87,7 @@ impl Studied<'_> {
         }
         let last = points.last().map_or(0.0, |point| point.y);
         points.push(PlotPoint::new(end, last));
-        points
+        Curve { small: points.len(), points }
     }
 
     fn input_dimension(&self) -> Dimension {
@@ -127,9 +136,9 @@ impl Responses {
 
     /// Draws the plots over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
-        if let Some(time) = studied.analysis.response.cut_at {
+        if let Some(time) = studied.analysis.small_until {
             let text = format!(
-                "The motion has grown beyond all meaning by t = {} s; it is drawn until then.",
+                "From t = {} s this is no small disturbance any more: the linear model means nothing there.",
                 significant(time, 3)
             );
             ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).bad));
@@ -176,7 +185,7 @@ impl Responses {
                 unit: quantity.dimension.symbol(length),
                 against: ("t", "s"),
                 now: &now,
-                ghost: pinned.as_deref(),
+                ghost: pinned.as_ref(),
             };
             self.plots[i].show(ui, place(i), &curves, &mut cursor);
         }
@@ -194,18 +203,25 @@ impl Responses {
             unit: "deg/s",
             against: ("Δα", "α in deg"),
             now: &path,
-            ghost: pinned.as_deref(),
+            ghost: pinned.as_ref(),
         };
-        let mark =
-            cursor.and_then(|t| path.get((t / studied.analysis.response.dt).round() as usize).copied());
+        let mark = cursor
+            .and_then(|t| path.points.get((t / studied.analysis.response.dt).round() as usize).copied());
         self.plots[5].show_path(ui, place(5), &curves, mark);
         self.cursor = cursor;
     }
 }
 
 /// q over α, both in degrees.
-fn phase_portrait(studied: Studied<'_>) -> Vec<PlotPoint> {
+fn phase_portrait(studied: Studied<'_>) -> Curve {
     let alpha = studied.curve(ALPHA, studied.scenario);
     let q = studied.curve(Q, studied.scenario);
-    alpha.iter().zip(&q).map(|(alpha, q)| PlotPoint::new(alpha.y, q.y)).collect()
+    let points = alpha
+        .points
+        .iter()
+        .zip(&q.points)
+        .take(alpha.small)
+        .map(|(alpha, q)| PlotPoint::new(alpha.y, q.y))
+        .collect();
+    Curve { points, small: alpha.small }
 }
