@@ -1,6 +1,6 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
-use egui::{Align, Button, Layout, RichText, ScrollArea, Ui, UiBuilder, Vec2};
+use egui::{Align, Button, Id, Layout, RichText, ScrollArea, Ui, UiBuilder, Vec2};
 
 use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
@@ -142,17 +142,22 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let length = scenario.aircraft.length_unit;
     let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
     let shown = trimmed(parameter.get(scenario) / in_si, 4);
-    symbol_ui(ui, &Symbol::parse(parameter.symbol), 14.0, palette.text, None);
-    let field = number_field_ui(
-        ui,
-        ui.scope_id().with(("number", parameter.key)),
-        &format!("{} in {unit}", parameter.name),
-        &shown,
-        44.0,
-        |text| parameter.parse(scenario, text),
-    );
+    let field = ui
+        .horizontal(|ui| {
+            symbol_ui(ui, &Symbol::parse(parameter.symbol), 14.0, palette.text, None);
+            let field = number_field_ui(
+                ui,
+                Id::unique(("disturbance", parameter.key)),
+                &format!("{} in {unit}", parameter.name),
+                &shown,
+                44.0,
+                |text| parameter.parse(scenario, text),
+            );
+            ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));
+            field
+        })
+        .inner;
     field.response.on_hover_text(format!("{} {}", parameter.meaning, parameter.sign));
-    ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));
     if let Some(refusal) = field.refusal {
         ui.label(RichText::new(format!("⚠ {refusal}")).font(theme::small()).color(palette.bad));
     }

@@ -21,8 +21,15 @@ const APART: Vec2 = Vec2::new(64.0, 34.0);
 pub struct Curve {
     /// Its points.
     pub points: Vec<PlotPoint>,
-    /// How many of them, from the first, are of a small disturbance; the rest may leave the frame.
+    /// How many of them, from the first, are of a small disturbance; the rest is not drawn.
     pub small: usize,
+}
+
+impl Curve {
+    /// The part that is drawn: one point beyond the small disturbance, so that it is seen leaving.
+    fn small_part(&self) -> &[PlotPoint] {
+        &self.points[..self.points.len().min(self.small + 1)]
+    }
 }
 
 /// What a small plot shows.
@@ -149,7 +156,7 @@ fn draw<'a>(
                     plot.hline(HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
                     if let Some(ghost) = ghost {
                         plot.line(
-                            Line::new("pinned", PlotPoints::Borrowed(&ghost.points))
+                            Line::new("pinned", PlotPoints::Borrowed(ghost.small_part()))
                                 .color(palette.ghost)
                                 .width(1.2)
                                 .style(LineStyle::dashed_dense())
@@ -158,7 +165,7 @@ fn draw<'a>(
                         );
                     }
                     plot.line(
-                        Line::new("now", PlotPoints::Borrowed(&now.points))
+                        Line::new("now", PlotPoints::Borrowed(now.small_part()))
                             .color(palette.text)
                             .width(1.8)
                             .allow_band(false)
@@ -242,10 +249,7 @@ fn label(mark: &GridMark) -> String {
 
 /// The range of all curves with a margin, wide enough to include zero. What is no small disturbance any more may leave it.
 fn range(curves: &Curves<'_>, coordinate: impl Fn(&PlotPoint) -> f64) -> RangeInclusive<f64> {
-    let all = [Some(curves.now), curves.ghost]
-        .into_iter()
-        .flatten()
-        .flat_map(|curve| curve.points.iter().take(curve.small));
+    let all = [Some(curves.now), curves.ghost].into_iter().flatten().flat_map(Curve::small_part);
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     for value in all.map(coordinate) {
         low = low.min(value);

@@ -216,12 +216,6 @@ impl Responses {
 fn phase_portrait(studied: Studied<'_>) -> Curve {
     let alpha = studied.curve(ALPHA, studied.scenario);
     let q = studied.curve(Q, studied.scenario);
-    let points = alpha
-        .points
-        .iter()
-        .zip(&q.points)
-        .take(alpha.small)
-        .map(|(alpha, q)| PlotPoint::new(alpha.y, q.y))
-        .collect();
+    let points = alpha.points.iter().zip(&q.points).map(|(alpha, q)| PlotPoint::new(alpha.y, q.y)).collect();
     Curve { points, small: alpha.small }
 }

@@ -1,0 +1,159 @@
+//! Names, verdicts and warnings, against published modes and the lesson's golden analysis.
+
+use eigenwing::content::{Aircraft, embedded_aircraft};
+use eigenwing::flight::Analysis;
+use eigenwing::flight::linear::{Longitudinal, LongitudinalModel};
+use eigenwing::flight::modes::{DynamicStability, Mode};
+use eigenwing::flight::naming::ModeName;
+use eigenwing::flight::static_stability::StaticVerdict;
+use eigenwing::scenario::Scenario;
+use nalgebra::{Matrix4, Vector4};
+use proptest::prelude::*;
+
+fn aircraft(key: &str) -> Aircraft {
+    let (all, errors) = embedded_aircraft();
+    assert_eq!(errors, []);
+    all.into_iter().find(|aircraft| aircraft.key == key).expect("an aircraft that ships")
+}
+
+fn analysis(aircraft: Aircraft) -> Analysis {
+    Scenario::new(aircraft.into()).analyse().expect("an analysis")
+}
+
+fn mode(analysis: &Analysis, name: ModeName) -> &Mode {
+    analysis.modes.iter().find(|mode| mode.naming.name == name).expect("a mode of that name")
+}
+
+fn names(model: &LongitudinalModel) -> Vec<ModeName> {
+    let modes = eigenwing::flight::analysis::modes(model).expect("modes");
+    modes.iter().map(|mode| mode.naming.name).collect()
+}
+
+fn close(computed: f64, published: f64, half_unit: f64) {
+    assert!((computed - published).abs() <= half_unit, "{computed} is not {published} ± {half_unit}");
+}
+
+/// Teper 1969, NASA CR-96008, Table X-H. Frequencies and ζ of the short period are met to half a unit of the last
+/// printed digit, ζ of the phugoid to one unit: its inputs are printed with fewer digits than it is.
+#[test]
+fn the_navion_has_the_published_short_period_and_phugoid() {
+    let analysis = analysis(aircraft("navion"));
+    let short_period = mode(&analysis, ModeName::ShortPeriod);
+    close(short_period.natural_frequency().unwrap(), 3.6083, 1e-4);
+    close(short_period.damping_ratio().unwrap(), 0.6957, 0.5e-4);
+    let phugoid = mode(&analysis, ModeName::Phugoid);
+    close(phugoid.natural_frequency().unwrap(), 0.2137, 0.5e-4);
+    close(phugoid.damping_ratio().unwrap(), 0.0801, 1e-4);
+    assert_eq!(analysis.dynamic_stability, DynamicStability::Stable);
+}
+
+/// The lesson's model as printed, from its analysis with python-control: two pairs, the slow one growing.
+#[test]
+fn the_printed_lesson_is_statically_stable_and_dynamically_unstable() {
+    let analysis = analysis(aircraft("lesson-printed"));
+    assert_eq!(analysis.modes.len(), 2);
+    assert_eq!(mode(&analysis, ModeName::ShortPeriod).stability, DynamicStability::Stable);
+    let phugoid = mode(&analysis, ModeName::Phugoid);
+    assert_eq!(phugoid.stability, DynamicStability::Unstable);
+    close(phugoid.time_to_double().unwrap(), 4.114997864, 1e-8);
+    close(phugoid.damping_ratio().unwrap(), -0.146573756, 1e-9);
+    assert_eq!(phugoid.time_to_half(), None);
+    assert_eq!(analysis.dynamic_stability, DynamicStability::Unstable);
+    assert_eq!(analysis.static_stability.verdict, StaticVerdict::Stable);
+    close(analysis.static_stability.determinant, 18.1196586, 1e-9);
+}
+
+#[test]
+fn the_printed_lesson_mixes_units_and_the_others_do_not() {
+    let printed = analysis(aircraft("lesson-printed")).gravity;
+    assert!(!printed.is_plausible());
+    close(printed.rate, 9.81 / 1.76, 1e-12);
+    for key in ["lesson", "navion"] {
+        assert!(analysis(aircraft(key)).gravity.is_plausible(), "{key}");
+    }
+}
+
+#[test]
+fn with_gravity_in_the_same_unit_the_lesson_is_the_navion() {
+    let (lesson, navion) = (analysis(aircraft("lesson")), analysis(aircraft("navion")));
+    for name in [ModeName::ShortPeriod, ModeName::Phugoid] {
+        let (a, b) = (mode(&lesson, name).lambda, mode(&navion, name).lambda);
+        assert!((a - b).norm() < 0.005 * b.norm(), "{name:?}: {a} and {b}");
+    }
+}
+
+/// Where pairs split and meet as M_w is scaled: reference sweep of the Navion (SciPy), the factor on M_w alone with
+/// its Mẇ part kept. The factors here are on the whole entry, so the points lie between its critical ones.
+#[test]
+fn names_follow_the_structure_of_the_roots_through_the_static_limit() {
+    use ModeName::{
+        Divergence, Phugoid, PhugoidFastRoot, PhugoidSlowRoot, ShortPeriod, ShortPeriodFastRoot,
+        ShortPeriodSlowRoot, ThirdOscillatory,
+    };
+    let navion = aircraft("navion").longitudinal;
+    let entry = (Longitudinal::Q.index(), Longitudinal::W.index());
+    for (factor, expected) in [
+        (1.0, vec![ShortPeriod, Phugoid]),
+        (0.1, vec![ShortPeriod, Phugoid]),
+        (0.0, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, Phugoid]),
+        (-0.19, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, PhugoidSlowRoot]),
+        (-0.3, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, Divergence]),
+        (-3.0, vec![ShortPeriodFastRoot, ThirdOscillatory, Divergence]),
+    ] {
+        let mut model = navion.clone();
+        model.a[entry] *= factor;
+        let mut found = names(&model);
+        found.sort();
+        assert_eq!(found, expected, "M_w × {factor}");
+    }
+}
+
+/// With Mu = 0 the static limit is exactly M_w = 0 (det A = g Zu Mw).
+#[test]
+fn without_speed_stability_the_static_limit_is_pitch_stiffness_zero() {
+    let mut model = aircraft("navion").longitudinal;
+    model.a[(Longitudinal::Q.index(), Longitudinal::U.index())] = 0.0;
+    for (m_w, expected) in
+        [(-1e-6, StaticVerdict::Stable), (0.0, StaticVerdict::Neutral), (1e-6, StaticVerdict::Unstable)]
+    {
+        model.a[(Longitudinal::Q.index(), Longitudinal::W.index())] = m_w;
+        assert_eq!(
+            eigenwing::flight::static_stability::static_stability(&model).verdict,
+            expected,
+            "M_w = {m_w}"
+        );
+    }
+}
+
+#[test]
+fn a_model_without_a_trim_speed_is_an_error_with_a_sentence() {
+    for u0 in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let mut scenario = Scenario::new(aircraft("navion").into());
+        scenario.model.u0 = u0;
+        let error = scenario.analyse().expect_err("no analysis");
+        assert!(error.to_string().contains("trim speed"), "{error}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn every_model_has_modes_that_account_for_four_roots(entries in prop::collection::vec(prop_oneof![Just(0.0), -1e3..1e3, -1.0..1.0], 16)) {
+        let model = LongitudinalModel {
+            a: Matrix4::from_row_slice(&entries),
+            b_elevator: Vector4::zeros(),
+            u0: 50.0,
+        };
+        let modes = eigenwing::flight::analysis::modes(&model).expect("modes");
+        let roots: usize = modes.iter().map(|mode| if mode.is_oscillatory() { 2 } else { 1 }).sum();
+        prop_assert_eq!(roots, 4);
+        for mode in &modes {
+            let sum: f64 = mode.participation.iter().sum();
+            prop_assert!((sum - 1.0).abs() < 1e-9);
+            prop_assert!((0.0..=1.0 + 1e-9).contains(&mode.naming.confidence));
+            prop_assert!(!mode.naming.reason.contains("NaN") && !mode.naming.reason.contains("inf"));
+            for number in [mode.natural_frequency(), mode.damping_ratio(), mode.period(), mode.time_to_half(), mode.time_to_double(), mode.cycles(), mode.time_constant()] {
+                prop_assert!(number.is_none_or(f64::is_finite));
+            }
+        }
+    }
+}
