@@ -14,6 +14,7 @@
 //! * They stand in the order of the tree, at the bounds of what they mirror. Roles that hold others (region, group,
 //!   dialog, list box …) become elements around them; panels and rows without a name leave no trace.
 //! * The keyboard stays with the canvas (`tabindex="-1"`). Something that focuses an element focuses egui's widget.
+//!   What the keyboard reaches or changes on the canvas is announced, for the browser's own focus stays on the canvas.
 //! * While frames come fast the page is written ten times a second; the last tree is always written.
 //!
 //! The page brings two elements and this style. Without `#mirror` the plugin does nothing.
@@ -116,6 +117,8 @@ struct Page {
     left: Option<NodeId>,
     /// Something was chosen from a list, which is to close.
     chosen: bool,
+    /// What has egui's focus, and its value: the last that was announced.
+    told: (NodeId, String),
     listeners: Vec<(&'static str, Closure<dyn FnMut(Event)>)>,
     on_timer: Closure<dyn FnMut()>,
 }
@@ -151,6 +154,7 @@ impl Page {
             requests: Vec::new(),
             left: None,
             chosen: false,
+            told: (NodeId(0), String::new()),
             listeners,
             on_timer,
         })
@@ -230,7 +234,26 @@ impl Page {
             place(&self.shown, &self.root, &children);
             self.children = children;
         }
+        self.announce_focus(update.focus);
         self.written_ms = js_sys::Date::now();
+    }
+
+    /// Says what the keyboard has reached on the canvas, or what it has made of that.
+    fn announce_focus(&mut self, focus: NodeId) {
+        let on_element =
+            self.document.active_element().is_some_and(|active| self.root.contains(Some(&active)));
+        let pressed = self.ctx.input(|input| input.pointer.any_down());
+        let focused = self.shown.get(&focus).filter(|shown| !shown.picture.kind.holds());
+        let (name, value) = focused.map(|shown| shown.picture.spoken()).unwrap_or_default();
+        let told = mem::replace(&mut self.told, (focus, value.clone()));
+        if on_element || pressed || name.is_empty() {
+            return;
+        }
+        if told.0 != focus {
+            announce(&format!("{name}, {value}"));
+        } else if told.1 != value {
+            announce(&value);
+        }
     }
 
     /// Brings the element of this node up to date, if it has one, and names it in `siblings`; then those inside it.
