@@ -46,6 +46,9 @@ use element::{Kind, Picture, Shown};
 /// While frames come faster than this, the page is not written for each.
 const INTERVAL_MS: i32 = 100;
 
+/// Heard at the root, for all elements in it.
+const EVENTS: [&str; 6] = ["click", "input", "change", "keydown", "focusin", "focusout"];
+
 /// Add it with `ctx.add_plugin(Mirror)`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Mirror;
@@ -119,7 +122,8 @@ struct Page {
     chosen: bool,
     /// What has egui's focus, and its value: the last that was announced.
     told: (NodeId, String),
-    listeners: Vec<(&'static str, Closure<dyn FnMut(Event)>)>,
+    /// Of all [`EVENTS`].
+    listener: Closure<dyn FnMut(Event)>,
     on_timer: Closure<dyn FnMut()>,
 }
 
@@ -128,13 +132,11 @@ impl Page {
         let document = web_sys::window()?.document()?;
         let root = document.get_element_by_id("mirror")?;
         root.set_text_content(None);
-        let mut listeners = Vec::new();
-        for name in ["click", "input", "change", "keydown", "focusin", "focusout"] {
-            let listener = Closure::<dyn FnMut(Event)>::new(move |event: Event| {
-                with_page(|page| page.hear(name, &event));
-            });
+        let listener = Closure::<dyn FnMut(Event)>::new(|event: Event| {
+            with_page(|page| page.hear(&event));
+        });
+        for name in EVENTS {
             root.add_event_listener_with_callback(name, listener.as_ref().unchecked_ref()).ok()?;
-            listeners.push((name, listener));
         }
         let on_timer = Closure::new(|| {
             with_page(|page| {
@@ -155,7 +157,7 @@ impl Page {
             left: None,
             chosen: false,
             told: (NodeId(0), String::new()),
-            listeners,
+            listener,
             on_timer,
         })
     }
@@ -307,7 +309,7 @@ impl Page {
         }
     }
 
-    fn hear(&mut self, name: &str, event: &Event) {
+    fn hear(&mut self, event: &Event) {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let Some(element) = target.and_then(|target| target.closest("[data-id]").ok().flatten()) else {
             return;
@@ -318,7 +320,7 @@ impl Page {
         };
         let kind = shown.picture.kind;
         let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
-        let (action, data) = match (name, kind) {
+        let (action, data) = match (event.type_().as_str(), kind) {
             ("focusin", kind) if shown.picture.focusable => {
                 if kind.is_typed() {
                     shown.begin_typing();
@@ -369,9 +371,10 @@ impl Drop for Page {
         if let (Some(timer), Some(window)) = (self.timer, web_sys::window()) {
             window.clear_timeout_with_handle(timer);
         }
-        for (name, listener) in &self.listeners {
+        for name in EVENTS {
             // If it can't be removed, it was never heard.
-            let _ = self.root.remove_event_listener_with_callback(name, listener.as_ref().unchecked_ref());
+            let _ =
+                self.root.remove_event_listener_with_callback(name, self.listener.as_ref().unchecked_ref());
         }
         self.root.set_text_content(None);
     }
