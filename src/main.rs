@@ -6,7 +6,11 @@ fn main() -> eframe::Result {
         viewport: egui::ViewportBuilder::default().with_title("Eigenwing").with_inner_size([1440.0, 900.0]),
         ..Default::default()
     };
-    eframe::run_native("eigenwing", options, Box::new(|cc| Ok(Box::new(Window(eigenwing::ui::App::new(&cc.egui_ctx)?)))))
+    eframe::run_native(
+        "eigenwing",
+        options,
+        Box::new(|cc| Ok(Box::new(Window(eigenwing::ui::App::new(&cc.egui_ctx)?)))),
+    )
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -16,6 +16,16 @@ pub fn significant(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
+/// Like [`significant`], without zeros at the end: "1", "0.2", "5.73".
+pub fn trimmed(value: f64, digits: usize) -> String {
+    let text = significant(value, digits);
+    if text.contains('.') && !text.contains('e') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
 /// A number with a fixed number of decimals, with `−` for minus and never a minus zero.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
@@ -37,6 +47,9 @@ mod tests {
         assert_eq!(significant(1763.5, 3), "1764");
         assert_eq!(significant(2.5e-7, 3), "2.50e−7");
         assert_eq!(significant(0.0, 3), "0");
+        assert_eq!(trimmed(1.0, 4), "1");
+        assert_eq!(trimmed(-120.0, 4), "−120");
+        assert_eq!(trimmed(0.25, 4), "0.25");
     }
 
     #[test]

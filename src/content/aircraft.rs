@@ -108,11 +108,12 @@ impl Aircraft {
             line: error.span().map_or(1, |span| line_of(text, span.start)),
             problem: error.message().to_owned(),
         })?;
-        let longitudinal = read.longitudinal.to_si(read.length_unit).map_err(|(field, problem)| ContentError {
-            file: file.to_owned(),
-            line: text.lines().position(|line| line.trim_start().starts_with(field)).map_or(1, |i| i + 1),
-            problem,
-        })?;
+        let longitudinal =
+            read.longitudinal.to_si(read.length_unit).map_err(|(field, problem)| ContentError {
+                file: file.to_owned(),
+                line: text.lines().position(|line| line.trim_start().starts_with(field)).map_or(1, |i| i + 1),
+                problem,
+            })?;
         Ok(Self {
             key: read.key,
             name: read.name,
@@ -140,7 +141,10 @@ impl LongitudinalFile {
         }
         let theta = Longitudinal::Theta.index();
         if self.a[theta] != [0.0, 0.0, 1.0, 0.0] {
-            return Err(("a", "the last row of A must be 0, 0, 1, 0: pitch rate is the rate of pitch angle".to_owned()));
+            return Err((
+                "a",
+                "the last row of A must be 0, 0, 1, 0: pitch rate is the rate of pitch angle".to_owned(),
+            ));
         }
         let l = unit.metres();
         let scale = Vector4::new(l, l, 1.0, 1.0);

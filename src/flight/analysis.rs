@@ -140,8 +140,5 @@ fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {
 fn gravity_check(model: &LongitudinalModel) -> GravityCheck {
     // The u row of A carries −g cos θ₀ in the θ column.
     let g_cos_theta0 = -model.a[(Longitudinal::U.index(), Longitudinal::Theta.index())];
-    GravityCheck {
-        rate: g_cos_theta0 / model.u0,
-        expected_rate: STANDARD_GRAVITY / model.u0,
-    }
+    GravityCheck { rate: g_cos_theta0 / model.u0, expected_rate: STANDARD_GRAVITY / model.u0 }
 }

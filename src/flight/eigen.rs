@@ -61,9 +61,10 @@ impl Eigen {
 
 /// Eigenvalues and both sets of eigenvectors of `a`.
 ///
-/// ‖A v − λ v‖ and ‖Aᵀ l − λ̄ l‖ stay below 10⁻¹²‖A‖. Balancing keeps small eigenvalues accurate but can spoil that bound for
-/// badly scaled matrices (Watkins 2006): their vectors get a step of inverse iteration, and the few that it does not mend
-/// (entries some 10¹⁵⁰ apart) are solved again without balancing.
+/// ‖A v − λ v‖ and ‖Aᵀ l − λ̄ l‖ stay below 10⁻¹²‖A‖. Balancing keeps small eigenvalues accurate but can spoil that
+/// bound for badly scaled matrices (Watkins 2006): their vectors get a step of inverse iteration, and the few that it
+/// does not mend (1 in 6,000 random ones with entries over 16 decades) are solved again without balancing, where small
+/// eigenvalues are good to rounding of ‖A‖ only.
 pub fn eigen(a: &Matrix4<f64>) -> Result<Eigen, EigenError> {
     if !a.iter().all(|x| x.is_finite()) {
         return Err(EigenError::NotFinite);
@@ -77,12 +78,12 @@ pub fn eigen(a: &Matrix4<f64>) -> Result<Eigen, EigenError> {
             solved = solve(&unit, &Balance::none())?;
         }
     }
-    solved.values = solved.values.map(|value| value * scale);
-    if solved
+    // Adding zero makes −0 a 0.
+    solved.values = solved
         .values
-        .iter()
-        .all(|value| value.re.is_finite() && value.im.is_finite())
-    {
+        .map(|value| value * scale + Complex::from(0.0));
+    let finite = |value: &Complex<f64>| value.re.is_finite() && value.im.is_finite();
+    if solved.values.iter().all(finite) {
         Ok(solved)
     } else {
         Err(EigenError::NotFinite)
@@ -195,7 +196,7 @@ impl Balance {
 
     fn apply(&self, a: &Matrix4<f64>) -> Matrix4<f64> {
         // bᵢⱼ = aᵢⱼ dⱼ/dᵢ
-        Matrix4::from_fn(|i, j| a[(self.order[i], self.order[j])] / self.d[i] * self.d[j])
+        Matrix4::from_fn(|i, j| a[(self.order[i], self.order[j])] * (self.d[j] / self.d[i]))
     }
 }
 
@@ -219,11 +220,11 @@ fn solve(a: &Matrix4<f64>, balance: &Balance) -> Result<Eigen, EigenError> {
         right: Matrix4::zeros(),
         left: Matrix4::zeros(),
     };
-    for (column, &k) in places
-        .iter()
-        .enumerate()
-        .filter(|&(_, &k)| t[(k, k)].im >= 0.0)
-    {
+    for (column, &k) in places.iter().enumerate() {
+        let im = solved.values[column].im;
+        if im < 0.0 {
+            continue; // the conjugate, written with its partner
+        }
         let y = u * rescaled(right_vector(&t, k));
         let w = u * rescaled(left_vector(&t, k));
         let (mut v, mut l) = (Vector4::zeros(), Vector4::zeros());
@@ -232,7 +233,7 @@ fn solve(a: &Matrix4<f64>, balance: &Balance) -> Result<Eigen, EigenError> {
             v[balance.order[i]] = y[i] * balance.d[i];
             l[balance.order[i]] = w[i] / balance.d[i];
         }
-        solved.set_vectors(column, t[(k, k)].im > 0.0, v, l);
+        solved.set_vectors(column, im > 0.0, v, l);
     }
     Ok(solved)
 }

@@ -26,10 +26,7 @@ pub enum Input {
 impl Input {
     /// Value at time t \[s\]: at an edge, the value from then on.
     pub fn at(&self, t: f64) -> f64 {
-        self.switches()
-            .take_while(|&(time, _)| time <= t)
-            .last()
-            .map_or(0.0, |(_, value)| value)
+        self.switches().take_while(|&(time, _)| time <= t).last().map_or(0.0, |(_, value)| value)
     }
 
     /// The edges in order: (time \[s\], value from then on). Before the first the input is zero.
@@ -37,19 +34,16 @@ impl Input {
         let edges = match *self {
             Self::Step { amplitude, start } => [Some((start, amplitude)), None],
             Self::Pulse { duration, .. } if duration <= 0.0 => [None, None],
-            Self::Pulse {
-                amplitude,
-                start,
-                duration,
-            } => [Some((start, amplitude)), Some((start + duration, 0.0))],
+            Self::Pulse { amplitude, start, duration } => {
+                [Some((start, amplitude)), Some((start + duration, 0.0))]
+            }
         };
         edges.into_iter().flatten()
     }
 
     /// Whether every number that describes the input is finite.
     pub fn is_finite(&self) -> bool {
-        self.switches()
-            .all(|(time, value)| time.is_finite() && value.is_finite())
+        self.switches().all(|(time, value)| time.is_finite() && value.is_finite())
     }
 }
 
@@ -59,29 +53,15 @@ mod tests {
 
     #[test]
     fn an_edge_belongs_to_what_follows() {
-        let step = Input::Step {
-            amplitude: 0.1,
-            start: 1.0,
-        };
+        let step = Input::Step { amplitude: 0.1, start: 1.0 };
         assert_eq!([0.999, 1.0, 50.0].map(|t| step.at(t)), [0.0, 0.1, 0.1]);
-        let pulse = Input::Pulse {
-            amplitude: -0.1,
-            start: 1.0,
-            duration: 0.5,
-        };
-        assert_eq!(
-            [0.999, 1.0, 1.499, 1.5].map(|t| pulse.at(t)),
-            [0.0, -0.1, -0.1, 0.0]
-        );
+        let pulse = Input::Pulse { amplitude: -0.1, start: 1.0, duration: 0.5 };
+        assert_eq!([0.999, 1.0, 1.499, 1.5].map(|t| pulse.at(t)), [0.0, -0.1, -0.1, 0.0]);
     }
 
     #[test]
     fn a_pulse_without_duration_is_no_input() {
-        let pulse = Input::Pulse {
-            amplitude: 1.0,
-            start: 1.0,
-            duration: 0.0,
-        };
+        let pulse = Input::Pulse { amplitude: 1.0, start: 1.0, duration: 0.0 };
         assert_eq!(pulse.at(1.0), 0.0);
         assert_eq!(pulse.switches().count(), 0);
     }

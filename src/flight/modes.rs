@@ -84,8 +84,7 @@ impl Mode {
 
     /// Time constant τ = −1/λ \[s\], negative when growing; of a real mode that is not neutral only.
     pub fn time_constant(&self) -> Option<f64> {
-        (!self.is_oscillatory() && self.stability != DynamicStability::Neutral)
-            .then(|| -1.0 / self.lambda.re)
+        (!self.is_oscillatory() && self.stability != DynamicStability::Neutral).then(|| -1.0 / self.lambda.re)
     }
 
     /// Participation of one state, 0 to 1.

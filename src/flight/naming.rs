@@ -115,11 +115,8 @@ pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
 /// and two real roots the pair is weighed against the two roots together.
 fn short_period_members(shapes: &[Shape]) -> Vec<bool> {
     let mean_share = |oscillating: bool| {
-        let shares: Vec<f64> = shapes
-            .iter()
-            .filter(|s| s.oscillates() == oscillating)
-            .map(Shape::short_period_share)
-            .collect();
+        let shares: Vec<f64> =
+            shapes.iter().filter(|s| s.oscillates() == oscillating).map(Shape::short_period_share).collect();
         shares.iter().sum::<f64>() / shares.len().max(1) as f64
     };
     if shapes.len() == 3 {
@@ -128,9 +125,7 @@ fn short_period_members(shapes: &[Shape]) -> Vec<bool> {
     }
     // Two pairs: the richer one. Four real roots: the richer two.
     let mut order: Vec<usize> = (0..shapes.len()).collect();
-    order.sort_by(|&i, &j| {
-        shapes[j].short_period_share().total_cmp(&shapes[i].short_period_share())
-    });
+    order.sort_by(|&i, &j| shapes[j].short_period_share().total_cmp(&shapes[i].short_period_share()));
     let members = &order[..shapes.len() / 2];
     (0..shapes.len()).map(|i| members.contains(&i)).collect()
 }
@@ -140,17 +135,20 @@ fn naming(name: ModeName, shape: &Shape) -> Naming {
     let fast = percent(short_period_share);
     let slow = percent(1.0 - short_period_share);
     let (confidence, reason) = match name {
-        ModeName::ShortPeriod => (
-            short_period_share,
-            format!("α and q carry {fast} of it while speed hardly changes."),
-        ),
+        ModeName::ShortPeriod => {
+            (short_period_share, format!("α and q carry {fast} of it while speed hardly changes."))
+        }
         ModeName::ShortPeriodFastRoot => (
             short_period_share,
-            format!("α and q carry {fast} of it. The short period is overdamped: two real roots, this is the faster."),
+            format!(
+                "α and q carry {fast} of it. The short period is overdamped: two real roots, this is the faster."
+            ),
         ),
         ModeName::ShortPeriodSlowRoot => (
             short_period_share,
-            format!("α and q carry {fast} of it. The short period is overdamped: two real roots, this is the slower."),
+            format!(
+                "α and q carry {fast} of it. The short period is overdamped: two real roots, this is the slower."
+            ),
         ),
         ModeName::Phugoid => (
             1.0 - short_period_share,
@@ -158,15 +156,21 @@ fn naming(name: ModeName, shape: &Shape) -> Naming {
         ),
         ModeName::PhugoidFastRoot => (
             1.0 - short_period_share,
-            format!("Speed and pitch attitude carry {slow} of it. The phugoid no longer oscillates: two real roots, this is the faster."),
+            format!(
+                "Speed and pitch attitude carry {slow} of it. The phugoid no longer oscillates: two real roots, this is the faster."
+            ),
         ),
         ModeName::PhugoidSlowRoot => (
             1.0 - short_period_share,
-            format!("Speed and pitch attitude carry {slow} of it. The phugoid no longer oscillates: two real roots, this is the slower."),
+            format!(
+                "Speed and pitch attitude carry {slow} of it. The phugoid no longer oscillates: two real roots, this is the slower."
+            ),
         ),
         ModeName::ThirdOscillatory => (
             1.0 - short_period_share,
-            format!("An oscillation beside a real root that grows: neither phugoid nor short period (α and q {fast}, speed and attitude {slow})."),
+            format!(
+                "An oscillation beside a real root that grows: neither phugoid nor short period (α and q {fast}, speed and attitude {slow})."
+            ),
         ),
         ModeName::Divergence if short_period_share >= 0.5 => (
             short_period_share,
@@ -174,7 +178,9 @@ fn naming(name: ModeName, shape: &Shape) -> Naming {
         ),
         ModeName::Divergence => (
             1.0 - short_period_share,
-            format!("A real root that grows, with speed and pitch attitude carrying {slow} of it: the aircraft keeps leaving its speed."),
+            format!(
+                "A real root that grows, with speed and pitch attitude carrying {slow} of it: the aircraft keeps leaving its speed."
+            ),
         ),
     };
     let reason = if confidence < 0.65 {
@@ -188,9 +194,5 @@ fn naming(name: ModeName, shape: &Shape) -> Naming {
 /// A share as a person reads it: "99.7 %", "95 %".
 fn percent(share: f64) -> String {
     let value = 100.0 * share;
-    if (99.0..99.95).contains(&value) {
-        format!("{value:.1} %")
-    } else {
-        format!("{value:.0} %")
-    }
+    if (99.0..99.95).contains(&value) { format!("{value:.1} %") } else { format!("{value:.0} %") }
 }

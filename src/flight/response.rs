@@ -53,27 +53,16 @@ pub struct Response {
 /// An edge between samples is met exactly: its step is split there.
 pub fn respond(a: &Matrix4<f64>, b: &Vector4<f64>, input: &Input, grid: TimeGrid) -> Response {
     let rest = Vector4::zeros();
-    let steps = if grid.duration > 0.0 && grid.duration.is_finite() {
-        grid.steps
-    } else {
-        0
-    };
+    let steps = if grid.duration > 0.0 && grid.duration.is_finite() { grid.steps } else { 0 };
     let dt = if steps == 0 { 0.0 } else { grid.time(1) };
-    let mut response = Response {
-        dt,
-        states: Vec::with_capacity(steps.min(MOST_STEPS) + 1),
-        cut_at: None,
-    };
+    let mut response = Response { dt, states: Vec::with_capacity(steps.min(MOST_STEPS) + 1), cut_at: None };
     response.states.push(rest);
     if !input.is_finite() {
         response.cut_at = (steps > 0).then_some(dt);
         return response;
     }
     let whole = Hold::over(a, b, dt);
-    let mut edges = input
-        .switches()
-        .skip_while(|&(time, _)| time <= 0.0)
-        .peekable();
+    let mut edges = input.switches().skip_while(|&(time, _)| time <= 0.0).peekable();
     let (mut x, mut delta) = (rest, input.at(0.0));
     for k in 1..=steps {
         let (mut t, next) = (grid.time(k - 1), grid.time(k));
@@ -103,9 +92,7 @@ pub fn respond(a: &Matrix4<f64>, b: &Vector4<f64>, input: &Input, grid: TimeGrid
 
 /// State that a constant unit input leads to, −A⁻¹ B; it is reached only if every mode decays. `None` if A is singular.
 pub fn steady_state(a: &Matrix4<f64>, b: &Vector4<f64>) -> Option<Vector4<f64>> {
-    a.full_piv_lu()
-        .solve(&-b)
-        .filter(|x| x.iter().all(|value| value.is_finite()))
+    a.full_piv_lu().solve(&-b).filter(|x| x.iter().all(|value| value.is_finite()))
 }
 
 /// Motion over a time with constant input.
@@ -136,10 +123,7 @@ impl Hold {
 /// With ‖M/2ˢ‖ ≤ ½ the approximant is that of a matrix within 4·10⁻¹⁶ of M. At most 1,025 squarings; what overflows, or was
 /// not finite, comes back as entries that are not finite. (nalgebra's `exp` squares 2⁶⁴ times for an infinite entry.)
 fn exponential(m: &Matrix5<f64>) -> Matrix5<f64> {
-    let norm = m
-        .row_iter()
-        .map(|row| row.iter().map(|x| x.abs()).sum::<f64>())
-        .fold(0.0, f64::max);
+    let norm = m.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
     if !(norm.is_finite() && m.iter().all(|x| x.is_finite())) {
         return Matrix5::from_element(f64::NAN);
     }
@@ -154,10 +138,8 @@ fn exponential(m: &Matrix5<f64>) -> Matrix5<f64> {
     // N = Σ cⱼ Mʲ, D = Σ cⱼ (−M)ʲ, cⱼ = cⱼ₋₁ (q − j + 1)/(j (2q − j + 1)); even powers E, odd powers O: (E − O) e^M = E + O
     let (square, identity) = (scaled * scaled, Matrix5::identity());
     let fourth = square * square;
-    let even = identity
-        + square * (5.0 / 44.0)
-        + fourth * (1.0 / 792.0)
-        + square * fourth * (1.0 / 665_280.0);
+    let even =
+        identity + square * (5.0 / 44.0) + fourth * (1.0 / 792.0) + square * fourth * (1.0 / 665_280.0);
     let odd = scaled * (identity * 0.5 + square * (1.0 / 66.0) + fourth * (1.0 / 15_840.0));
     let Some(mut result) = (even - odd).lu().solve(&(even + odd)) else {
         return Matrix5::from_element(f64::NAN);

@@ -28,11 +28,7 @@ pub struct Scenario {
 impl Scenario {
     /// An aircraft as its file has it, put through the first disturbance a person sees.
     pub fn new(aircraft: Arc<Aircraft>) -> Self {
-        Self {
-            model: aircraft.longitudinal.clone(),
-            aircraft,
-            disturbance: Disturbance::default(),
-        }
+        Self { model: aircraft.longitudinal.clone(), aircraft, disturbance: Disturbance::default() }
     }
 
     /// The same disturbance with another aircraft.

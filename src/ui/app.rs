@@ -138,7 +138,10 @@ impl App {
                         aircraft: &self.aircraft,
                         scenario: &self.scenario,
                         ghost: self.ghost.as_ref(),
-                        history: (self.history.has_undo(&self.scenario), self.history.has_redo(&self.scenario)),
+                        history: (
+                            self.history.has_undo(&self.scenario),
+                            self.history.has_redo(&self.scenario),
+                        ),
                         narrow: phone,
                     },
                 )
@@ -160,9 +163,13 @@ impl App {
     fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
         let palette = Palette::of(ui);
         let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
-        Panel::left("derivatives").exact_size(if wide { 344.0 } else { 320.0 }).resizable(false).frame(side).show(ui, |ui| {
-            derivatives_ui(ui, &mut self.scenario, Rows::Dense, &mut self.view.explained);
-        });
+        Panel::left("derivatives")
+            .exact_size(if wide { 362.0 } else { 330.0 })
+            .resizable(false)
+            .frame(side)
+            .show(ui, |ui| {
+                derivatives_ui(ui, &mut self.scenario, Rows::Dense, &mut self.view.explained);
+            });
         self.ghost_memo_refresh();
         let mut action = None;
         if wide {
@@ -207,9 +214,11 @@ impl App {
         Panel::top("panes").frame(ground).show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 8.0;
-                for (pane, text) in
-                    [(PhonePane::Derivatives, "Derivatives"), (PhonePane::Modes, "Modes"), (PhonePane::Response, "Response")]
-                {
+                for (pane, text) in [
+                    (PhonePane::Derivatives, "Derivatives"),
+                    (PhonePane::Modes, "Modes"),
+                    (PhonePane::Response, "Response"),
+                ] {
                     ui.selectable_value(&mut self.view.phone_pane, pane, text);
                 }
             });
@@ -220,7 +229,11 @@ impl App {
                 None
             }
             PhonePane::Modes => {
-                ScrollArea::vertical().id_salt("modes").auto_shrink(false).show(ui, |ui| self.modes_ui(ui)).inner
+                ScrollArea::vertical()
+                    .id_salt("modes")
+                    .auto_shrink(false)
+                    .show(ui, |ui| self.modes_ui(ui))
+                    .inner
             }
             PhonePane::Response => {
                 let responses = |ui: &mut Ui| self.responses_ui(ui, Rows::Touch);
@@ -280,7 +293,12 @@ impl App {
     fn modes_ui(&mut self, ui: &mut Ui) -> Option<Action> {
         let palette = Palette::of(ui);
         for error in &self.content_errors {
-            banner_ui(ui, &format!("An aircraft could not be read: {error}"), palette.warning, palette.warning_ground);
+            banner_ui(
+                ui,
+                &format!("An aircraft could not be read: {error}"),
+                palette.warning,
+                palette.warning_ground,
+            );
         }
         let analysis = match self.memo.refresh(&self.scenario) {
             Ok(analysis) => analysis,
@@ -302,7 +320,8 @@ impl App {
         }
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
         for mode in &analysis.modes {
-            let before = ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
+            let before =
+                ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
             card_ui(ui, mode, before);
         }
         action
@@ -313,8 +332,10 @@ impl App {
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
             Action::Pin => self.ghost = Some(Ghost { name: self.name(), scenario: self.scenario.clone() }),
             Action::CompareWith(aircraft) => {
-                self.ghost =
-                    Some(Ghost { name: aircraft.name.clone(), scenario: self.scenario.with_aircraft(aircraft) });
+                self.ghost = Some(Ghost {
+                    name: aircraft.name.clone(),
+                    scenario: self.scenario.with_aircraft(aircraft),
+                });
             }
             Action::Unpin => self.ghost = None,
             Action::Undo => {
@@ -348,7 +369,9 @@ fn error_ui(ui: &mut Ui, error: &AnalysisError) {
 
 fn shortcuts(ui: &Ui) -> Option<Action> {
     ui.input_mut(|input| {
-        if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || input.consume_key(Modifiers::COMMAND, Key::Y) {
+        if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z)
+            || input.consume_key(Modifiers::COMMAND, Key::Y)
+        {
             Some(Action::Redo)
         } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
             Some(Action::Undo)

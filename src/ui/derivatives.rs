@@ -4,17 +4,17 @@ use egui::{Align, Button, Layout, RichText, ScrollArea, Ui, UiBuilder, Vec2};
 
 use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
-use super::symbol::Symbol;
+use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
-use crate::number::significant;
+use crate::number::trimmed;
 use crate::scenario::parameters::Group;
 use crate::scenario::{PARAMETERS, Parameter, Scenario};
 
 const SYMBOL_WIDTH: f32 = 58.0;
-const FIELD_WIDTH: f32 = 54.0;
+const FIELD_WIDTH: f32 = 68.0;
 const UNIT_WIDTH: f32 = 62.0;
 const RESET_WIDTH: f32 = 20.0;
-const HELP_HEIGHT: f32 = 118.0;
+const HELP_HEIGHT: f32 = 132.0;
 
 /// How the rows are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,17 +38,21 @@ pub fn derivatives_ui(ui: &mut Ui, scenario: &mut Scenario, rows: Rows, explaine
     });
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
-    ScrollArea::vertical().id_salt("derivatives").max_height(height).auto_shrink([false, rows == Rows::Dense]).show(ui, |ui| {
-        for group in Group::DERIVATIVES {
-            ui.add_space(3.0);
-            ui.label(RichText::new(group.text()).font(theme::semibold(11.5)).color(Palette::of(ui).weak));
-            for parameter in PARAMETERS.iter().filter(|p| p.group == group) {
-                if row_ui(ui, scenario, parameter, rows) {
-                    *explained = parameter.key;
+    ScrollArea::vertical()
+        .id_salt("derivatives")
+        .max_height(height)
+        .auto_shrink([false, rows == Rows::Dense])
+        .show(ui, |ui| {
+            for group in Group::DERIVATIVES {
+                ui.add_space(3.0);
+                ui.label(RichText::new(group.text()).font(theme::semibold(11.5)).color(Palette::of(ui).weak));
+                for parameter in PARAMETERS.iter().filter(|p| p.group == group) {
+                    if row_ui(ui, scenario, parameter, rows) {
+                        *explained = parameter.key;
+                    }
                 }
             }
-        }
-    });
+        });
     if rows == Rows::Dense
         && let Some(parameter) = Parameter::find(explained)
     {
@@ -66,65 +70,60 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
     let range = parameter.range(scenario);
     let symbol = Symbol::parse(parameter.symbol);
     let name = format!("{} {}", parameter.name, symbol.plain());
-    let shown = significant(value, 4);
+    let shown = trimmed(value, 4);
     let mut new = None;
     let mut refusal = None;
     let mut at_it = false;
 
-    let height = if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { 25.0 };
+    let height = if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { 28.0 };
     let row = ui.allocate_space(Vec2::new(ui.available_width(), height)).1;
-    ui.scope_builder(
-        UiBuilder::new().max_rect(row).layout(Layout::left_to_right(Align::Center)),
-        |ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            let hovered = ui.rect_contains_pointer(row);
-            if hovered {
-                ui.painter().rect_filled(row, 4.0, palette.field);
-            }
-            let symbol_rect = egui::Rect::from_min_size(row.min, Vec2::new(SYMBOL_WIDTH, height));
-            ui.allocate_rect(symbol_rect, egui::Sense::hover());
-            let galley = ui.painter().layout_job(symbol.job(15.0, palette.text));
-            ui.painter().galley(
-                egui::pos2(symbol_rect.left() + 2.0, symbol_rect.center().y - 0.5 * galley.size().y),
-                galley,
-                palette.text,
-            );
-            let rest = FIELD_WIDTH + UNIT_WIDTH + RESET_WIDTH + 5.0 * 4.0 + 8.0;
-            let slider = ReferenceSlider {
-                name: &name,
-                value_text: format!("{shown} {unit}"),
-                value,
-                range: range.start() / in_si..=range.end() / in_si,
-                reference,
-            };
-            let width = (ui.available_width() - rest).max(60.0);
-            let (response, moved) = slider.show(ui, Vec2::new(width, height));
-            at_it |= hovered || response.has_focus();
-            new = moved.map(|value| if value == reference { parameter.reference(scenario) } else { value * in_si });
+    ui.scope_builder(UiBuilder::new().max_rect(row).layout(Layout::left_to_right(Align::Center)), |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let hovered = ui.rect_contains_pointer(row);
+        if hovered {
+            ui.painter().rect_filled(row, 4.0, palette.field);
+        }
+        symbol_ui(ui, &symbol, 15.0, palette.text, Some(SYMBOL_WIDTH));
+        let rest = FIELD_WIDTH + UNIT_WIDTH + RESET_WIDTH + 5.0 * 4.0 + 8.0;
+        let slider = ReferenceSlider {
+            name: &name,
+            value_text: format!("{shown} {unit}"),
+            value,
+            range: range.start() / in_si..=range.end() / in_si,
+            reference,
+        };
+        let width = (ui.available_width() - rest).max(60.0);
+        let (response, moved) = slider.show(ui, Vec2::new(width, height));
+        at_it |= hovered || response.has_focus();
+        new =
+            moved.map(|value| if value == reference { parameter.reference(scenario) } else { value * in_si });
 
-            let field = number_field_ui(
-                ui,
-                ui.scope_id().with(("number", parameter.key)),
-                &format!("{name}, typed"),
-                &shown,
-                FIELD_WIDTH,
-                |text| parameter.parse(scenario, text),
-            );
-            at_it |= field.response.has_focus();
-            new = field.accepted.or(new);
-            refusal = field.refusal;
-            ui.allocate_ui_with_layout(Vec2::new(UNIT_WIDTH, height), Layout::left_to_right(Align::Center), |ui| {
+        let field = number_field_ui(
+            ui,
+            ui.scope_id().with(("number", parameter.key)),
+            &format!("{name}, typed"),
+            &shown,
+            FIELD_WIDTH,
+            |text| parameter.parse(scenario, text),
+        );
+        at_it |= field.response.has_focus();
+        new = field.accepted.or(new);
+        refusal = field.refusal;
+        ui.allocate_ui_with_layout(
+            Vec2::new(UNIT_WIDTH, height),
+            Layout::left_to_right(Align::Center),
+            |ui| {
                 ui.set_min_width(UNIT_WIDTH);
                 ui.label(RichText::new(unit).size(10.5).color(palette.weak));
-            });
-            if si != parameter.reference(scenario) {
-                let reset = ui.add(Button::new("↺").frame(false)).accessible_name(format!("Reset {name}"));
-                if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
-                    new = Some(parameter.reference(scenario));
-                }
+            },
+        );
+        if si != parameter.reference(scenario) {
+            let reset = ui.add(Button::new("↺").frame(false)).accessible_name(format!("Reset {name}"));
+            if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
+                new = Some(parameter.reference(scenario));
             }
-        },
-    );
+        }
+    });
     if let Some(refusal) = refusal {
         ui.label(RichText::new(format!("⚠ {refusal}")).font(theme::small()).color(palette.bad));
     }
@@ -141,8 +140,8 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let palette = Palette::of(ui);
     let length = scenario.aircraft.length_unit;
     let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-    let shown = significant(parameter.get(scenario) / in_si, 4);
-    ui.label(Symbol::parse(parameter.symbol).job(14.0, palette.text));
+    let shown = trimmed(parameter.get(scenario) / in_si, 4);
+    symbol_ui(ui, &Symbol::parse(parameter.symbol), 14.0, palette.text, None);
     let field = number_field_ui(
         ui,
         ui.scope_id().with(("number", parameter.key)),

@@ -3,7 +3,7 @@
 use egui::{Align, Color32, Frame, Layout, Margin, Rect, RichText, Stroke, Ui, Vec2};
 
 use super::pole_map::eigenvalue;
-use super::symbol::Symbol;
+use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
@@ -140,7 +140,11 @@ fn numbers_ui(ui: &mut Ui, mode: &Mode) {
     };
     let entries: [Entry; 7] = [
         ("ω_n", mode.natural_frequency().map(rate), "Undamped natural frequency, |λ|"),
-        ("ζ", mode.damping_ratio().map(|z| significant(z, 3)), "Damping ratio, −σ/ω_n; negative when the motion grows"),
+        (
+            "ζ",
+            mode.damping_ratio().map(|z| significant(z, 3)),
+            "Damping ratio, −σ/ω_n; negative when the motion grows",
+        ),
         ("ω_d", mode.damped_frequency().map(rate), "Damped frequency, |Im λ|"),
         ("T", mode.period().map(seconds), "Period, 2π/ω_d"),
         growth,
@@ -168,10 +172,7 @@ fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
         .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(width);
             ui.spacing_mut().item_spacing.x = 0.0;
-            let (place, _) = ui.allocate_exact_size(Vec2::new(26.0, 18.0), egui::Sense::hover());
-            let galley = ui.painter().layout_job(Symbol::parse(symbol).job(13.5, palette.weak));
-            let at = egui::pos2(place.left(), place.center().y - 0.5 * galley.size().y);
-            ui.painter().galley(at, galley, palette.weak);
+            symbol_ui(ui, &Symbol::parse(symbol), 13.5, palette.weak, Some(26.0));
             ui.label(RichText::new(text).font(theme::semibold(12.0)));
         })
         .response;
@@ -181,17 +182,27 @@ fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
 /// Four segments as wide as the participation of each state.
 fn participation_ui(ui: &mut Ui, mode: &Mode, color: Color32) {
     let palette = Palette::of(ui);
-    let (rect, response) = ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
+    let (rect, response) =
+        ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
     let mut x = rect.left();
     let mut words = Vec::new();
-    for (state, (symbol, strength)) in Longitudinal::ALL.into_iter().zip([("u", 0.9), ("α", 0.75), ("q", 0.9), ("θ", 0.75)]) {
+    for (state, (symbol, strength)) in
+        Longitudinal::ALL.into_iter().zip([("u", 0.9), ("α", 0.75), ("q", 0.9), ("θ", 0.75)])
+    {
         let share = mode.share(state);
         let width = rect.width() * share as f32;
-        let segment = Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));
+        let segment =
+            Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));
         ui.painter().rect_filled(segment, 3.0, color.gamma_multiply(strength));
         if width > 26.0 {
             let text = format!("{symbol} {:.0}", 100.0 * share);
-            ui.painter().text(segment.center(), egui::Align2::CENTER_CENTER, text, theme::semibold(10.0), palette.pane);
+            ui.painter().text(
+                segment.center(),
+                egui::Align2::CENTER_CENTER,
+                text,
+                theme::semibold(10.0),
+                palette.pane,
+            );
         }
         words.push(format!("{symbol} {:.1} %", 100.0 * share));
         x += width;
@@ -203,7 +214,9 @@ fn participation_ui(ui: &mut Ui, mode: &Mode, color: Color32) {
 
 /// What became of a mode since it was pinned, in its two telling numbers.
 fn change(before: &Mode, now: &Mode) -> String {
-    let arrow = |symbol: &str, unit: &str, a: f64, b: f64| format!("{symbol} {} → {}{unit}", significant(a, 3), significant(b, 3));
+    let arrow = |symbol: &str, unit: &str, a: f64, b: f64| {
+        format!("{symbol} {} → {}{unit}", significant(a, 3), significant(b, 3))
+    };
     let zeta = before.damping_ratio().zip(now.damping_ratio()).map(|(a, b)| arrow("ζ", "", a, b));
     let period = before.period().zip(now.period()).map(|(a, b)| arrow("T", " s", a, b));
     let real = (zeta.is_none()).then(|| arrow("σ", " 1/s", before.lambda.re, now.lambda.re));

@@ -36,7 +36,8 @@ pub fn number_field_ui(
     read: impl FnOnce(&str) -> Result<f64, ValueError>,
 ) -> NumberField {
     let palette = Palette::of(ui);
-    let mut draft: Option<Draft> = ui.data(|data| data.get_temp::<Draft>(id)).filter(|draft| draft.beside == shown);
+    let mut draft: Option<Draft> =
+        ui.data(|data| data.get_temp::<Draft>(id)).filter(|draft| draft.beside == shown);
     let mut text = draft.as_ref().map_or_else(|| shown.to_owned(), |draft| draft.text.clone());
     let refused = draft.as_ref().is_some_and(|draft| draft.refusal.is_some());
 

@@ -30,7 +30,14 @@ pub fn arc_frequencies(view: View) -> impl Iterator<Item = f64> {
     let edge = view.top.max(-view.left);
     let decade = 10_f64.powf((edge / 3.0).log10().floor());
     let digit = edge / 3.0 / decade;
-    let step = decade * if digit < 2.0 { 1.0 } else if digit < 5.0 { 2.0 } else { 5.0 };
+    let step = decade
+        * if digit < 2.0 {
+            1.0
+        } else if digit < 5.0 {
+            2.0
+        } else {
+            5.0
+        };
     let count = (view.reach() / step).floor().min(60.0) as usize;
     (1..=count).map(move |k| k as f64 * step)
 }

@@ -60,9 +60,8 @@ mod tests {
         let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
         let mut placement = Placement::new(frame);
         let size = Vec2::new(90.0, 28.0);
-        let placed: Vec<Rect> = (0..6)
-            .filter_map(|i| placement.beside(Pos2::new(200.0 + 3.0 * i as f32, 150.0), size))
-            .collect();
+        let placed: Vec<Rect> =
+            (0..6).filter_map(|i| placement.beside(Pos2::new(200.0 + 3.0 * i as f32, 150.0), size)).collect();
         assert!(placed.len() >= 4);
         for (i, a) in placed.iter().enumerate() {
             assert!(frame.contains_rect(*a));

@@ -1,6 +1,8 @@
 //! The pole map: eigenvalues in the complex plane, the slow ones a second time at their own scale.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
+use egui::{
+    Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role,
+};
 use egui_plot::{LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points, Span, VLine};
 
 use super::axis_range::{AxisRange, round_up};
@@ -39,7 +41,8 @@ impl PoleMap {
         let all: Vec<&Mode> = modes.iter().collect();
         let mut few: Vec<&Mode> = modes.iter().filter(|mode| mode.lambda.norm() < SLOW * fastest).collect();
         if few.is_empty() {
-            few = modes.iter().min_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm())).into_iter().collect();
+            few =
+                modes.iter().min_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm())).into_iter().collect();
         }
         let maps = [
             Map { name: "All modes", rect: whole, ranged: all, inset: None },
@@ -102,13 +105,7 @@ impl Map<'_> {
     }
 
     fn show(&self, ui: &mut Ui, palette: &Palette, view: View, modes: &[Mode], ghost: Option<&[Mode]>) {
-        ui.painter().text(
-            self.rect.min,
-            Align2::LEFT_TOP,
-            self.name,
-            theme::small(),
-            palette.weak,
-        );
+        ui.painter().text(self.rect.min, Align2::LEFT_TOP, self.name, theme::small(), palette.weak);
         let rect = self.plot_rect();
         let plot = ui
             .scope_builder(UiBuilder::new().max_rect(rect), |ui| {
@@ -133,10 +130,21 @@ impl Map<'_> {
                             frame_of(plot, inset, palette);
                         }
                         for mode in ghost.into_iter().flatten() {
-                            plot.points(poles(mode).shape(MarkerShape::Circle).filled(false).radius(5.0).color(palette.ghost));
+                            plot.points(
+                                poles(mode)
+                                    .shape(MarkerShape::Circle)
+                                    .filled(false)
+                                    .radius(5.0)
+                                    .color(palette.ghost),
+                            );
                         }
                         for mode in modes {
-                            plot.points(poles(mode).shape(MarkerShape::Cross).radius(6.5).color(palette.mode(mode.naming.name)));
+                            plot.points(
+                                poles(mode)
+                                    .shape(MarkerShape::Cross)
+                                    .radius(6.5)
+                                    .color(palette.mode(mode.naming.name)),
+                            );
                         }
                     })
             })
@@ -152,6 +160,8 @@ impl Map<'_> {
                 placement.keep_clear(Rect::from_center_size(position(mode.lambda.re, im), Vec2::splat(14.0)));
             }
         }
+        // No label across the stability boundary.
+        placement.keep_clear(Rect::from_center_size(position(0.0, 0.0), Vec2::new(2.0, 2.0 * rect.height())));
         for mode in modes {
             let anchor = position(mode.lambda.re, mode.lambda.im);
             if rect.contains(anchor) && self.inset.is_none_or(|inset| !crowded(mode, view, inset)) {
@@ -193,7 +203,12 @@ fn plane(plot: &mut egui_plot::PlotUi<'_>, view: View, palette: &Palette) {
 }
 
 fn frame_of(plot: &mut egui_plot::PlotUi<'_>, inset: View, palette: &Palette) {
-    let corners = [(inset.left, -inset.top), (inset.right, -inset.top), (inset.right, inset.top), (inset.left, inset.top)];
+    let corners = [
+        (inset.left, -inset.top),
+        (inset.right, -inset.top),
+        (inset.right, inset.top),
+        (inset.left, inset.top),
+    ];
     let points = corners.map(|(x, y)| PlotPoint::new(x, y)).to_vec();
     plot.polygon(
         egui_plot::Polygon::new("", PlotPoints::Owned(points))
@@ -219,7 +234,13 @@ fn label(painter: &egui::Painter, palette: &Palette, placement: &mut Placement, 
     }
 }
 
-fn name_only(painter: &egui::Painter, palette: &Palette, placement: &mut Placement, anchor: Pos2, mode: &Mode) {
+fn name_only(
+    painter: &egui::Painter,
+    palette: &Palette,
+    placement: &mut Placement,
+    anchor: Pos2,
+    mode: &Mode,
+) {
     let color = palette.mode(mode.naming.name);
     let name = painter.layout_no_wrap(mode.naming.name.text().to_owned(), theme::semibold(11.5), color);
     if let Some(place) = placement.beside(anchor, name.size()) {
@@ -230,7 +251,7 @@ fn name_only(painter: &egui::Painter, palette: &Palette, placement: &mut Placeme
 /// "ζ 0.69 · 2.4 s" of an oscillation, the time to half or double of a real root.
 fn numbers(mode: &Mode) -> String {
     let numbers = match (mode.damping_ratio(), mode.period()) {
-        (Some(zeta), Some(period)) => format!("ζ {} · {} s", fixed(zeta, 2), significant(period, 2)),
+        (Some(zeta), Some(period)) => format!("ζ {} · T {} s", fixed(zeta, 2), significant(period, 2)),
         _ => match (mode.time_to_half(), mode.time_to_double()) {
             (Some(t), _) => format!("halves in {} s", significant(t, 2)),
             (_, Some(t)) => format!("doubles in {} s", significant(t, 2)),
@@ -246,21 +267,35 @@ fn numbers(mode: &Mode) -> String {
 
 /// What the map shows, in words.
 fn describe(name: &str, modes: &[Mode]) -> String {
-    let modes: Vec<String> = modes.iter().map(|mode| format!("{} {}", mode.naming.name.text(), numbers(mode))).collect();
+    let modes: Vec<String> =
+        modes.iter().map(|mode| format!("{} {}", mode.naming.name.text(), numbers(mode))).collect();
     format!("Pole map, {name}: {}", modes.join("; "))
 }
 
-fn grid_labels(painter: &egui::Painter, palette: &Palette, placement: &mut Placement, view: View, position: &impl Fn(f64, f64) -> Pos2) {
+fn grid_labels(
+    painter: &egui::Painter,
+    palette: &Palette,
+    placement: &mut Placement,
+    view: View,
+    position: &impl Fn(f64, f64) -> Pos2,
+) {
     let mut faint = |text: String, at: Pos2, align: Align2| {
-        let galley = painter.layout_no_wrap(text, FontId::proportional(10.0), palette.weak.gamma_multiply(0.8));
+        let galley =
+            painter.layout_no_wrap(text, FontId::proportional(10.0), palette.weak.gamma_multiply(0.8));
         let place = align.anchor_size(at, galley.size());
         if placement.is_free(place) {
             placement.keep_clear(place.expand(2.0));
             painter.galley(place.min, galley, palette.weak);
         }
     };
+    faint("Re λ, 1/s".to_owned(), position(view.left, 0.0) + Vec2::new(5.0, -2.0), Align2::LEFT_BOTTOM);
+    faint("Im λ".to_owned(), position(0.0, view.top) + Vec2::new(5.0, 4.0), Align2::LEFT_TOP);
     faint("stable".to_owned(), position(view.left, -view.top) + Vec2::new(6.0, -4.0), Align2::LEFT_BOTTOM);
-    faint("unstable".to_owned(), position(view.right, -view.top) + Vec2::new(-6.0, -4.0), Align2::RIGHT_BOTTOM);
+    faint(
+        "unstable".to_owned(),
+        position(view.right, -view.top) + Vec2::new(-6.0, -4.0),
+        Align2::RIGHT_BOTTOM,
+    );
     for zeta in pole_grid::DAMPING_RATIOS {
         let slope = (1.0 - zeta * zeta).sqrt() / zeta;
         // Just inside the edge that the ray leaves by: the top, or the left.
@@ -268,20 +303,36 @@ fn grid_labels(painter: &egui::Painter, palette: &Palette, placement: &mut Place
         faint(format!("ζ {zeta}"), position(-im / slope, im) + Vec2::new(0.0, -2.0), Align2::CENTER_CENTER);
     }
     for wn in pole_grid::arc_frequencies(view).filter(|wn| *wn < 0.97 * -view.left) {
-        faint(format!("{} rad/s", significant(wn, 2).trim_end_matches(".0")), position(-wn, 0.0) + Vec2::new(2.0, 2.0), Align2::LEFT_TOP);
+        faint(
+            format!("{} rad/s", significant(wn, 2).trim_end_matches(".0")),
+            position(-wn, 0.0) + Vec2::new(2.0, 2.0),
+            Align2::LEFT_TOP,
+        );
     }
 }
 
 /// The numbers of the nearest pole while the pointer is near it.
-fn hover_ui(ui: &Ui, response: &egui::Response, palette: &Palette, modes: &[Mode], position: &impl Fn(f64, f64) -> Pos2) {
+fn hover_ui(
+    ui: &Ui,
+    response: &egui::Response,
+    palette: &Palette,
+    modes: &[Mode],
+    position: &impl Fn(f64, f64) -> Pos2,
+) {
     let Some(pointer) = response.hover_pos() else { return };
     let distance = |mode: &&Mode| {
-        position(mode.lambda.re, mode.lambda.im).distance(pointer).min(position(mode.lambda.re, -mode.lambda.im).distance(pointer))
+        position(mode.lambda.re, mode.lambda.im)
+            .distance(pointer)
+            .min(position(mode.lambda.re, -mode.lambda.im).distance(pointer))
     };
     let nearest = modes.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
     if let Some(mode) = nearest.filter(|mode| distance(mode) < 16.0) {
         response.show_tooltip_ui(|ui| {
-            ui.label(RichText::new(mode.naming.name.text()).font(theme::semibold(12.5)).color(palette.mode(mode.naming.name)));
+            ui.label(
+                RichText::new(mode.naming.name.text())
+                    .font(theme::semibold(12.5))
+                    .color(palette.mode(mode.naming.name)),
+            );
             ui.label(format!("λ = {} 1/s", eigenvalue(mode)));
             ui.label(numbers(mode));
         });

@@ -1,7 +1,9 @@
 //! One small plot of a response: its title with the value at the cursor, and its curves.
 
+use std::ops::RangeInclusive;
+
 use egui::{Align2, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
-use egui_plot::{GridMark, Line, LineStyle, Plot, PlotPoint, PlotPoints, VLine};
+use egui_plot::{GridMark, HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, VLine};
 
 use super::axis_range::AxisRange;
 use super::symbol::Symbol;
@@ -9,6 +11,10 @@ use super::theme::{self, Palette};
 use crate::number::significant;
 
 const TITLE_HEIGHT: f32 = 20.0;
+/// Room for the figures left of a plot and below it.
+const GUTTER: Vec2 = Vec2::new(34.0, 14.0);
+/// Least distance of the figures on either axis.
+const APART: Vec2 = Vec2::new(64.0, 34.0);
 
 /// What a small plot shows.
 #[derive(Debug)]
@@ -51,45 +57,67 @@ impl ResponsePlot {
         title(ui, rect, curves, None);
         let x = self.x.toward(ui, range(curves, |point| point.x));
         let y_range = self.y.toward(ui, range(curves, |point| point.y));
-        let plot_rect = below_title(rect);
+        let plot_rect = frame_in(rect);
         let palette = Palette::of(ui);
         draw(ui, plot_rect, curves, x, y_range, |plot| {
-            plot.points(egui_plot::Points::new("", vec![[0.0, 0.0]]).radius(2.5).color(palette.weak).allow_hover(false));
+            plot.points(
+                egui_plot::Points::new("", vec![[0.0, 0.0]])
+                    .radius(2.5)
+                    .color(palette.weak)
+                    .allow_hover(false),
+            );
             if let Some(mark) = mark {
-                plot.points(egui_plot::Points::new("", vec![[mark.x, mark.y]]).radius(4.0).color(palette.text).allow_hover(false));
+                plot.points(
+                    egui_plot::Points::new("", vec![[mark.x, mark.y]])
+                        .radius(4.0)
+                        .color(palette.text)
+                        .allow_hover(false),
+                );
             }
         });
-        let label = Symbol::parse(curves.against.0).job(12.0, palette.weak);
-        let galley = ui.painter().layout_job(label);
-        ui.painter().galley(plot_rect.right_bottom() - galley.size() - Vec2::new(4.0, 16.0), galley, palette.weak);
     }
 
-    fn plot(&mut self, ui: &mut Ui, rect: Rect, curves: &Curves<'_>, x: std::ops::RangeInclusive<f64>, cursor: Option<f64>) -> egui::Response {
+    fn plot(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        curves: &Curves<'_>,
+        x: RangeInclusive<f64>,
+        cursor: Option<f64>,
+    ) -> egui::Response {
         let y = self.y.toward(ui, range(curves, |point| point.y));
         let palette = Palette::of(ui);
-        draw(ui, below_title(rect), curves, x, y, |plot| {
+        draw(ui, frame_in(rect), curves, x, y, |plot| {
             if let Some(t) = cursor {
-                plot.vline(VLine::new("", t).color(palette.weak).width(1.0).style(LineStyle::dotted_dense()).allow_hover(false));
+                plot.vline(
+                    VLine::new("", t)
+                        .color(palette.weak)
+                        .width(1.0)
+                        .style(LineStyle::dotted_dense())
+                        .allow_hover(false),
+                );
             }
         })
     }
 }
 
-fn below_title(rect: Rect) -> Rect {
-    Rect::from_min_max(rect.min + Vec2::new(0.0, TITLE_HEIGHT), rect.max)
+/// The frame of a plot in its place, without title and figures.
+fn frame_in(rect: Rect) -> Rect {
+    Rect::from_min_max(rect.min + Vec2::new(GUTTER.x, TITLE_HEIGHT), rect.max - Vec2::new(0.0, GUTTER.y))
 }
 
 fn draw<'a>(
     ui: &mut Ui,
     rect: Rect,
     curves: &Curves<'a>,
-    x: std::ops::RangeInclusive<f64>,
-    y: std::ops::RangeInclusive<f64>,
+    x: RangeInclusive<f64>,
+    y: RangeInclusive<f64>,
     extra: impl FnOnce(&mut egui_plot::PlotUi<'a>) + 'a,
 ) -> egui::Response {
     let palette = Palette::of(ui);
     let (now, ghost) = (curves.now, curves.ghost);
-    let (x_range, y_range) = (x.clone(), y.clone());
+    let (horizontal, vertical) = (marks(&x, rect.width(), APART.x), marks(&y, rect.height(), APART.y));
+    tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
     let plot = ui
         .scope_builder(UiBuilder::new().max_rect(rect), |ui| {
             Plot::new(Id::unique((curves.symbol, curves.against.0)))
@@ -97,8 +125,7 @@ fn draw<'a>(
                 .height(rect.height())
                 .show_axes(false)
                 .show_background(false)
-                .grid_color(palette.hairline)
-                .grid_spacing(70.0..=260.0)
+                .show_grid(false)
                 .allow_zoom(false)
                 .allow_drag(false)
                 .allow_scroll(false)
@@ -107,26 +134,42 @@ fn draw<'a>(
                 .show_crosshair(false)
                 .label_formatter(|_| None)
                 .show(ui, move |plot| {
-                    plot.set_plot_bounds_x(x_range);
-                    plot.set_plot_bounds_y(y_range);
-                    plot.hline(egui_plot::HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
+                    plot.set_plot_bounds_x(x);
+                    plot.set_plot_bounds_y(y);
+                    for mark in &vertical {
+                        plot.hline(
+                            HLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
+                        );
+                    }
+                    for mark in &horizontal {
+                        plot.vline(
+                            VLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
+                        );
+                    }
+                    plot.hline(HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
                     if let Some(ghost) = ghost {
                         plot.line(
                             Line::new("pinned", PlotPoints::Borrowed(ghost))
                                 .color(palette.ghost)
                                 .width(1.2)
                                 .style(LineStyle::dashed_dense())
+                                .allow_band(false)
                                 .allow_hover(false),
                         );
                     }
-                    plot.line(Line::new("now", PlotPoints::Borrowed(now)).color(palette.text).width(1.8).allow_hover(false));
+                    plot.line(
+                        Line::new("now", PlotPoints::Borrowed(now))
+                            .color(palette.text)
+                            .width(1.8)
+                            .allow_band(false)
+                            .allow_hover(false),
+                    );
                     extra(plot);
                 })
         })
         .inner;
     let words = describe(curves);
     plot.response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
-    tick_labels(ui, rect, x, y);
     plot.response
 }
 
@@ -144,37 +187,43 @@ fn title(ui: &Ui, rect: Rect, curves: &Curves<'_>, value: Option<f64>) {
     ui.painter().galley(rect.min + Vec2::new(2.0, 0.0), galley, palette.text);
     if let Some(value) = value {
         let text = format!("{} {}", significant(value, 3), curves.unit);
-        ui.painter().text(rect.right_top() + Vec2::new(-4.0, 2.0), Align2::RIGHT_TOP, text, theme::semibold(11.5), palette.text);
+        ui.painter().text(
+            rect.right_top() + Vec2::new(-4.0, 2.0),
+            Align2::RIGHT_TOP,
+            text,
+            theme::semibold(11.5),
+            palette.text,
+        );
     }
 }
 
-/// Labels inside the frame: first and last round number of the vertical axis, round numbers of the horizontal one.
-fn tick_labels(ui: &Ui, rect: Rect, x: std::ops::RangeInclusive<f64>, y: std::ops::RangeInclusive<f64>) {
+/// The figures of both axes, outside the frame.
+fn tick_labels(ui: &Ui, rect: Rect, (x, horizontal): Axis<'_>, (y, vertical): Axis<'_>) {
     let palette = Palette::of(ui);
     let font = FontId::proportional(10.0);
-    let painter = ui.painter().with_clip_rect(rect);
-    let horizontal = |value: f64| rect.left() + ((value - x.start()) / (x.end() - x.start())) as f32 * rect.width();
-    let vertical = |value: f64| rect.bottom() - ((value - y.start()) / (y.end() - y.start())) as f32 * rect.height();
-    for mark in marks(&y, rect.height(), 46.0) {
-        let at = egui::pos2(rect.left() + 3.0, vertical(mark.value));
-        if at.y > rect.top() + 10.0 && at.y < rect.bottom() - 16.0 {
-            painter.text(at, Align2::LEFT_BOTTOM, label(&mark), font.clone(), palette.weak);
-        }
+    let fraction = |range: &RangeInclusive<f64>, value: f64| {
+        ((value - range.start()) / (range.end() - range.start())) as f32
+    };
+    for mark in vertical {
+        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - fraction(y, mark.value) * rect.height());
+        ui.painter().text(at, Align2::RIGHT_CENTER, label(mark), font.clone(), palette.weak);
     }
-    for mark in marks(&x, rect.width(), 80.0) {
-        let at = egui::pos2(horizontal(mark.value), rect.bottom() - 2.0);
-        if at.x > rect.left() + 24.0 && at.x < rect.right() - 14.0 {
-            painter.text(at, Align2::CENTER_BOTTOM, label(&mark), font.clone(), palette.weak);
-        }
+    for mark in horizontal {
+        let at = egui::pos2(rect.left() + fraction(x, mark.value) * rect.width(), rect.bottom() + 1.0);
+        ui.painter().text(at, Align2::CENTER_TOP, label(mark), font.clone(), palette.weak);
     }
 }
 
+/// A range and the round numbers in it.
+type Axis<'a> = (&'a RangeInclusive<f64>, &'a [GridMark]);
+
 /// Round numbers in a range, at least `apart` points from each other.
-fn marks(range: &std::ops::RangeInclusive<f64>, length: f32, apart: f32) -> Vec<GridMark> {
+fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32) -> Vec<GridMark> {
     let span = range.end() - range.start();
     let raw = span * f64::from(apart / length.max(1.0));
     let decade = 10_f64.powf(raw.log10().floor());
-    let step = [1.0, 2.0, 5.0].into_iter().map(|d| d * decade).find(|step| *step >= raw).unwrap_or(10.0 * decade);
+    let step =
+        [1.0, 2.0, 5.0].into_iter().map(|d| d * decade).find(|step| *step >= raw).unwrap_or(10.0 * decade);
     let first = (range.start() / step).ceil();
     (0..=(span / step).min(40.0) as i32)
         .map(|k| GridMark { value: (first + f64::from(k)) * step, step_size: step })
@@ -184,11 +233,15 @@ fn marks(range: &std::ops::RangeInclusive<f64>, length: f32, apart: f32) -> Vec<
 
 fn label(mark: &GridMark) -> String {
     let decimals = (-mark.step_size.log10().floor()).clamp(0.0, 9.0) as usize;
-    if mark.value.abs() >= 1e6 { significant(mark.value, 2) } else { crate::number::fixed(mark.value, decimals) }
+    if mark.value.abs() >= 1e6 {
+        significant(mark.value, 2)
+    } else {
+        crate::number::fixed(mark.value, decimals)
+    }
 }
 
 /// The range of all curves with a margin, wide enough to include zero.
-fn range(curves: &Curves<'_>, coordinate: impl Fn(&PlotPoint) -> f64) -> std::ops::RangeInclusive<f64> {
+fn range(curves: &Curves<'_>, coordinate: impl Fn(&PlotPoint) -> f64) -> RangeInclusive<f64> {
     let all = curves.now.iter().chain(curves.ghost.into_iter().flatten());
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     for value in all.map(coordinate) {

@@ -58,7 +58,8 @@ pub struct Studied<'a> {
 impl Studied<'_> {
     fn curve(&self, quantity: Quantity, in_units_of: &Scenario) -> Vec<PlotPoint> {
         // The pinned state is drawn in the units of the one on screen; α is over its own U₀.
-        let scale = if quantity == ALPHA { quantity.scale(self.scenario) } else { quantity.scale(in_units_of) };
+        let scale =
+            if quantity == ALPHA { quantity.scale(self.scenario) } else { quantity.scale(in_units_of) };
         let Response { dt, states, .. } = &self.analysis.response;
         let row = quantity.state.index();
         states.iter().enumerate().map(|(k, x)| PlotPoint::new(k as f64 * dt, x[row] * scale)).collect()
@@ -117,25 +118,41 @@ impl Responses {
         ui.horizontal_wrapped(|ui| {
             ui.heading("Response to");
             disturbance_ui(ui, scenario);
-            ui.selectable_value(&mut self.w_instead_of_alpha, false, "α").on_hover_text("Angle of attack, α = w/U₀");
-            ui.selectable_value(&mut self.w_instead_of_alpha, true, "w").on_hover_text("Velocity along z, downward positive");
+            ui.selectable_value(&mut self.w_instead_of_alpha, false, "α")
+                .on_hover_text("Angle of attack, α = w/U₀");
+            ui.selectable_value(&mut self.w_instead_of_alpha, true, "w")
+                .on_hover_text("Velocity along z, downward positive");
         });
     }
 
     /// Draws the plots over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
         if let Some(time) = studied.analysis.response.cut_at {
-            let text = format!("The motion has grown beyond all meaning by t = {} s; it is drawn until then.", significant(time, 3));
+            let text = format!(
+                "The motion has grown beyond all meaning by t = {} s; it is drawn until then.",
+                significant(time, 3)
+            );
             ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).bad));
         }
         self.plots_ui(ui, studied, ghost, rows);
     }
 
     fn plots_ui(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
-        let columns = if rows == Rows::Touch { 1 } else if ui.available_width() > 620.0 { 3 } else { 2 };
+        let columns = if rows == Rows::Touch {
+            1
+        } else if ui.available_width() > 620.0 {
+            3
+        } else {
+            2
+        };
         let count_down = 6 / columns;
-        let height = if rows == Rows::Touch { 6.0 * 130.0 } else { ui.available_height().max(130.0 * count_down as f32) };
-        let (area, response) = ui.allocate_exact_size(Vec2::new(ui.available_width(), height), egui::Sense::hover());
+        let height = if rows == Rows::Touch {
+            6.0 * 130.0
+        } else {
+            ui.available_height().max(130.0 * count_down as f32)
+        };
+        let (area, response) =
+            ui.allocate_exact_size(Vec2::new(ui.available_width(), height), egui::Sense::hover());
         if !response.contains_pointer() {
             self.cursor = None;
         }
@@ -166,13 +183,21 @@ impl Responses {
         let input = studied.input();
         let dimension = studied.input_dimension();
         let symbol = if dimension == Dimension::Angle { "δ_e" } else { "w_g ↑" };
-        let curves = Curves { symbol, unit: dimension.symbol(length), against: ("t", "s"), now: &input, ghost: None };
+        let curves =
+            Curves { symbol, unit: dimension.symbol(length), against: ("t", "s"), now: &input, ghost: None };
         self.plots[4].show(ui, place(4), &curves, &mut cursor);
 
         let path = phase_portrait(studied);
         let pinned = ghost.map(phase_portrait);
-        let curves = Curves { symbol: "q", unit: "deg/s", against: ("Δα", "α in deg"), now: &path, ghost: pinned.as_deref() };
-        let mark = cursor.and_then(|t| path.get((t / studied.analysis.response.dt).round() as usize).copied());
+        let curves = Curves {
+            symbol: "q",
+            unit: "deg/s",
+            against: ("Δα", "α in deg"),
+            now: &path,
+            ghost: pinned.as_deref(),
+        };
+        let mark =
+            cursor.and_then(|t| path.get((t / studied.analysis.response.dt).round() as usize).copied());
         self.plots[5].show_path(ui, place(5), &curves, mark);
         self.cursor = cursor;
     }

@@ -32,7 +32,10 @@ impl ReferenceSlider<'_> {
     /// Draws it and gives the value that the person has set, if any.
     pub fn show(&self, ui: &mut Ui, size: Vec2) -> (Response, Option<f64>) {
         let (rect, mut response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        let asked = self.by_pointer(&response, rect).or_else(|| self.by_key(ui, &response)).or_else(|| self.by_request(ui, &response));
+        let asked = self
+            .by_pointer(&response, rect)
+            .or_else(|| self.by_key(ui, &response))
+            .or_else(|| self.by_request(ui, &response));
         let asked = if response.double_clicked() { Some(self.reference) } else { asked };
         let new = asked.filter(|&value| value != self.value);
         if new.is_some() {
@@ -55,7 +58,16 @@ impl ReferenceSlider<'_> {
         let raw = self.span() / FINE_STEPS;
         let decade = 10_f64.powf(raw.log10().floor());
         let digit = raw / decade;
-        decade * if digit < 1.5 { 1.0 } else if digit < 3.5 { 2.0 } else if digit < 7.5 { 5.0 } else { 10.0 }
+        decade
+            * if digit < 1.5 {
+                1.0
+            } else if digit < 3.5 {
+                2.0
+            } else if digit < 7.5 {
+                5.0
+            } else {
+                10.0
+            }
     }
 
     fn rail(rect: Rect) -> (f32, f32) {
@@ -92,7 +104,8 @@ impl ReferenceSlider<'_> {
         ui.input(|input| {
             let presses = |key| f64::from(input.num_presses(key) as u32);
             let arrows = presses(Key::ArrowRight) + presses(Key::ArrowUp)
-                - presses(Key::ArrowLeft) - presses(Key::ArrowDown);
+                - presses(Key::ArrowLeft)
+                - presses(Key::ArrowDown);
             let pages = presses(Key::PageUp) - presses(Key::PageDown);
             let steps = if input.modifiers.shift { COARSE * arrows } else { arrows } + COARSE * pages;
             if input.key_pressed(Key::Home) {

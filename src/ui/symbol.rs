@@ -12,8 +12,9 @@
 //! | `-` | − |
 //! | a letter and U+0307, such as `α̇` | the letter with a dot above |
 
+use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Color32, FontId};
+use egui::{Align, Color32, FontId, Sense, Ui, Vec2, WidgetInfo};
 
 use super::fonts;
 
@@ -34,6 +35,16 @@ const DESCENT: f32 = 0.241;
 /// A symbol or a short formula in the notation of this module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symbol<'a>(&'a str);
+
+/// Draws a symbol beside text and controls of a row: on their middle, in its own width or a given one.
+pub fn symbol_ui(ui: &mut Ui, symbol: &Symbol<'_>, size: f32, color: Color32, width: Option<f32>) {
+    let galley = ui.painter().layout_job(symbol.job(size, color));
+    let room =
+        Vec2::new(width.unwrap_or(galley.size().x), ui.spacing().interact_size.y.min(ui.available_height()));
+    let (place, response) = ui.allocate_exact_size(room, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, symbol.plain()));
+    ui.painter().galley(place.left_center() - Vec2::new(0.0, 0.5 * galley.size().y), galley, color);
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Level {

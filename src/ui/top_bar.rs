@@ -34,7 +34,11 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         }
         action = aircraft_ui(ui, bar);
         status_ui(ui, &bar.scenario.aircraft);
-        let right = if bar.narrow { Layout::left_to_right(Align::Center) } else { Layout::right_to_left(Align::Center) };
+        let right = if bar.narrow {
+            Layout::left_to_right(Align::Center)
+        } else {
+            Layout::right_to_left(Align::Center)
+        };
         let tools = |ui: &mut Ui| tools_ui(ui, bar);
         action = ui.with_layout(right, tools).inner.or(action.take());
     });
@@ -44,7 +48,14 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     let now = &bar.scenario.aircraft;
-    let chooser = ComboBox::from_id_salt("aircraft").width(if bar.narrow { 190.0 } else { 230.0 }).selected_text(&now.name);
+    let chooser = ComboBox::from_id_salt("aircraft")
+        .width(if bar.narrow { 190.0 } else { 330.0 })
+        .truncate()
+        .selected_text(if bar.narrow {
+            now.name.clone()
+        } else {
+            format!("{} · {}", now.name, now.condition)
+        });
     let response = chooser
         .show_ui(ui, |ui| {
             for aircraft in bar.aircraft {
@@ -55,7 +66,9 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             }
         })
         .response;
-    response.accessible_name("Aircraft").on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
+    response
+        .accessible_name("Aircraft")
+        .on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
     action
 }
 
@@ -93,7 +106,9 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         && !bar.narrow
     {
         let palette = Palette::of(ui);
-        ui.label(RichText::new(format!("○ ╌  pinned: {}", ghost.name)).font(theme::small()).color(palette.ghost));
+        ui.label(
+            RichText::new(format!("○ ╌  pinned: {}", ghost.name)).font(theme::small()).color(palette.ghost),
+        );
     }
     action
 }

@@ -20,7 +20,8 @@ pub fn start() {
     std::panic::set_hook(Box::new(|panic| failed(&panic.to_string())));
     wasm_bindgen_futures::spawn_local(async {
         if let Err(error) = run().await {
-            let reason = error.as_string().or_else(|| error.dyn_ref().map(|e: &js_sys::Error| e.message().into()));
+            let reason =
+                error.as_string().or_else(|| error.dyn_ref().map(|e: &js_sys::Error| e.message().into()));
             failed(&reason.unwrap_or_else(|| "the browser gave no reason".to_owned()));
         }
     });
@@ -29,11 +30,12 @@ pub fn start() {
 async fn run() -> Result<(), JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let document = window.document().ok_or("there is no document")?;
-    let canvas: HtmlCanvasElement =
-        document.get_element_by_id("eigenwing").ok_or("the page has no canvas named eigenwing")?.dyn_into()?;
-    let reduced_motion = window
-        .match_media("(prefers-reduced-motion: reduce)")?
-        .is_some_and(|query| query.matches());
+    let canvas: HtmlCanvasElement = document
+        .get_element_by_id("eigenwing")
+        .ok_or("the page has no canvas named eigenwing")?
+        .dyn_into()?;
+    let reduced_motion =
+        window.match_media("(prefers-reduced-motion: reduce)")?.is_some_and(|query| query.matches());
 
     let runner = WebRunner::new();
     offer_handle(&runner)?;
