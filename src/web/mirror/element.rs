@@ -272,7 +272,7 @@ fn attributes(kind: Kind, node: &Node, name: &str) -> Vec<(&'static str, String)
         put("aria-orientation", if orientation == Orientation::Vertical { "vertical" } else { "horizontal" });
     }
     if kind == Kind::Text
-        && let Some(placeholder) = node.placeholder()
+        && let Some(placeholder) = node.placeholder().filter(|placeholder| !placeholder.is_empty())
     {
         put("placeholder", placeholder);
     }
