@@ -15,7 +15,7 @@
 //!   dialog, list box …) become elements around them; panels and rows without a name leave no trace.
 //! * The keyboard stays with the canvas (`tabindex="-1"`). Something that focuses an element focuses egui's widget.
 //!   What the keyboard reaches or changes on the canvas is announced, for the browser's own focus stays on the canvas.
-//! * While frames come fast the page is written ten times a second; the last tree is always written.
+//! * While frames come fast, egui makes a tree ten times a second only; after the last frame it makes one more.
 //!
 //! The page brings two elements and this style. Without `#mirror` the plugin does nothing.
 //!
@@ -43,7 +43,7 @@ use web_sys::{Document, Element, Event, HtmlInputElement, KeyboardEvent};
 
 use element::{Kind, Picture, Shown};
 
-/// While frames come faster than this, the page is not written for each.
+/// While frames come faster than this, egui doesn't make a tree for each.
 const INTERVAL_MS: i32 = 100;
 
 /// Heard at the root, for all elements in it.
@@ -80,9 +80,11 @@ impl egui::Plugin for Mirror {
     }
 
     fn output_hook(&mut self, ctx: &egui::Context, output: &mut egui::FullOutput) {
-        if let Some(tree) = output.platform_output.accesskit_update.take() {
-            with_page(|page| page.receive(tree, f64::from(ctx.zoom_factor())));
-        }
+        let tree = output.platform_output.accesskit_update.take();
+        with_page(|page| match tree {
+            Some(tree) => page.receive(&tree, f64::from(ctx.zoom_factor())),
+            None => page.missed = true,
+        });
     }
 }
 
@@ -110,11 +112,10 @@ struct Page {
     shown: HashMap<NodeId, Shown>,
     /// What stands directly in the root, in order.
     children: Vec<NodeId>,
-    /// Came since the page was last written.
-    waiting: Option<(TreeUpdate, f64)>,
-    /// The timeout that will write it.
+    /// The timeout after which egui is to make trees again.
     timer: Option<i32>,
-    written_ms: f64,
+    /// A frame was drawn without one.
+    missed: bool,
     requests: Vec<ActionRequest>,
     /// An element that the browser's focus has left, which egui has no request for.
     left: Option<NodeId>,
@@ -139,10 +140,7 @@ impl Page {
             root.add_event_listener_with_callback(name, listener.as_ref().unchecked_ref()).ok()?;
         }
         let on_timer = Closure::new(|| {
-            with_page(|page| {
-                page.timer = None;
-                page.write();
-            });
+            with_page(Page::resume);
         });
         Some(Self {
             ctx: ctx.clone(),
@@ -150,9 +148,8 @@ impl Page {
             root,
             shown: HashMap::new(),
             children: Vec::new(),
-            waiting: None,
             timer: None,
-            written_ms: f64::NEG_INFINITY,
+            missed: false,
             requests: Vec::new(),
             left: None,
             chosen: false,
@@ -184,27 +181,31 @@ impl Page {
         }
     }
 
-    /// Writes the tree now, or, if the last one was written a moment ago, a little later.
-    fn receive(&mut self, tree: TreeUpdate, zoom: f64) {
-        self.waiting = Some((tree, zoom));
-        if self.timer.is_some() {
-            return;
-        }
-        if js_sys::Date::now() - self.written_ms < f64::from(INTERVAL_MS) {
+    /// Writes the tree, and has egui make no other for a while: to make one takes longer than to write it.
+    fn receive(&mut self, update: &TreeUpdate, zoom: f64) {
+        self.missed = false;
+        self.write(update, zoom);
+        if self.timer.is_none() {
             self.timer = web_sys::window().and_then(|window| {
                 let callback = self.on_timer.as_ref().unchecked_ref();
                 window.set_timeout_with_callback_and_timeout_and_arguments_0(callback, INTERVAL_MS).ok()
             });
         }
-        if self.timer.is_none() {
-            self.write();
+        if self.timer.is_some() {
+            self.ctx.disable_accesskit();
         }
     }
 
-    fn write(&mut self) {
-        let Some((update, zoom)) = self.waiting.take() else {
-            return;
-        };
+    fn resume(&mut self) {
+        self.timer = None;
+        self.ctx.enable_accesskit();
+        if mem::take(&mut self.missed) {
+            // The page shows an older frame than the canvas.
+            self.ctx.request_repaint();
+        }
+    }
+
+    fn write(&mut self, update: &TreeUpdate, zoom: f64) {
         let Some(root) = update.tree.as_ref().map(|tree| tree.root) else {
             return;
         };
@@ -237,7 +238,6 @@ impl Page {
             self.children = children;
         }
         self.announce_focus(update.focus);
-        self.written_ms = js_sys::Date::now();
     }
 
     /// Says what the keyboard has reached on the canvas, or what it has made of that.
