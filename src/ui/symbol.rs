@@ -86,7 +86,7 @@ impl<'a> Symbol<'a> {
                 Level::Lowered => (Align::BOTTOM, SUBSCRIPT_DROP - DESCENT * (1.0 - SCRIPT_SIZE)),
                 Level::Raised => (Align::TOP, SUPERSCRIPT_RISE - ASCENT * (1.0 - SCRIPT_SIZE)),
             };
-            let line_height = (shift != 0.0).then(|| font_size * (ASCENT + DESCENT) - 2.0 * shift * size);
+            let line_height = (shift != 0.0).then_some(font_size * (ASCENT + DESCENT) - 2.0 * shift * size);
             let font_id = FontId::new(font_size, family);
             job.append(&text, 0.0, TextFormat { font_id, color, valign, line_height, ..Default::default() });
         }

@@ -14,7 +14,8 @@
 //! * They stand in the order of the tree, at the bounds of what they mirror. Roles that hold others (region, group,
 //!   dialog, list box …) become elements around them; panels and rows without a name leave no trace.
 //! * The keyboard stays with the canvas (`tabindex="-1"`). Something that focuses an element focuses egui's widget.
-//! * While frames come fast the page is written ten times a second; the last tree is always written.
+//!   What the keyboard reaches or changes on the canvas is announced, for the browser's own focus stays on the canvas.
+//! * While frames come fast, egui makes a tree ten times a second only; after the last frame it makes one more.
 //!
 //! The page brings two elements and this style. Without `#mirror` the plugin does nothing.
 //!
@@ -42,8 +43,11 @@ use web_sys::{Document, Element, Event, HtmlInputElement, KeyboardEvent};
 
 use element::{Kind, Picture, Shown};
 
-/// While frames come faster than this, the page is not written for each.
+/// While frames come faster than this, egui doesn't make a tree for each.
 const INTERVAL_MS: i32 = 100;
+
+/// Heard at the root, for all elements in it.
+const EVENTS: [&str; 6] = ["click", "input", "change", "keydown", "focusin", "focusout"];
 
 /// Add it with `ctx.add_plugin(Mirror)`.
 #[derive(Clone, Copy, Debug, Default)]
@@ -76,9 +80,11 @@ impl egui::Plugin for Mirror {
     }
 
     fn output_hook(&mut self, ctx: &egui::Context, output: &mut egui::FullOutput) {
-        if let Some(tree) = output.platform_output.accesskit_update.take() {
-            with_page(|page| page.receive(tree, f64::from(ctx.zoom_factor())));
-        }
+        let tree = output.platform_output.accesskit_update.take();
+        with_page(|page| match tree {
+            Some(tree) => page.receive(&tree, f64::from(ctx.zoom_factor())),
+            None => page.missed = true,
+        });
     }
 }
 
@@ -106,17 +112,19 @@ struct Page {
     shown: HashMap<NodeId, Shown>,
     /// What stands directly in the root, in order.
     children: Vec<NodeId>,
-    /// Came since the page was last written.
-    waiting: Option<(TreeUpdate, f64)>,
-    /// The timeout that will write it.
+    /// The timeout after which egui is to make trees again.
     timer: Option<i32>,
-    written_ms: f64,
+    /// A frame was drawn without one.
+    missed: bool,
     requests: Vec<ActionRequest>,
     /// An element that the browser's focus has left, which egui has no request for.
     left: Option<NodeId>,
     /// Something was chosen from a list, which is to close.
     chosen: bool,
-    listeners: Vec<(&'static str, Closure<dyn FnMut(Event)>)>,
+    /// What has egui's focus, and its value: the last that was announced.
+    told: (NodeId, String),
+    /// Of all [`EVENTS`].
+    listener: Closure<dyn FnMut(Event)>,
     on_timer: Closure<dyn FnMut()>,
 }
 
@@ -125,19 +133,14 @@ impl Page {
         let document = web_sys::window()?.document()?;
         let root = document.get_element_by_id("mirror")?;
         root.set_text_content(None);
-        let mut listeners = Vec::new();
-        for name in ["click", "input", "change", "keydown", "focusin", "focusout"] {
-            let listener = Closure::<dyn FnMut(Event)>::new(move |event: Event| {
-                with_page(|page| page.hear(name, &event));
-            });
+        let listener = Closure::<dyn FnMut(Event)>::new(|event: Event| {
+            with_page(|page| page.hear(&event));
+        });
+        for name in EVENTS {
             root.add_event_listener_with_callback(name, listener.as_ref().unchecked_ref()).ok()?;
-            listeners.push((name, listener));
         }
         let on_timer = Closure::new(|| {
-            with_page(|page| {
-                page.timer = None;
-                page.write();
-            });
+            with_page(Page::resume);
         });
         Some(Self {
             ctx: ctx.clone(),
@@ -145,13 +148,13 @@ impl Page {
             root,
             shown: HashMap::new(),
             children: Vec::new(),
-            waiting: None,
             timer: None,
-            written_ms: f64::NEG_INFINITY,
+            missed: false,
             requests: Vec::new(),
             left: None,
             chosen: false,
-            listeners,
+            told: (NodeId(0), String::new()),
+            listener,
             on_timer,
         })
     }
@@ -178,27 +181,31 @@ impl Page {
         }
     }
 
-    /// Writes the tree now, or, if the last one was written a moment ago, a little later.
-    fn receive(&mut self, tree: TreeUpdate, zoom: f64) {
-        self.waiting = Some((tree, zoom));
-        if self.timer.is_some() {
-            return;
-        }
-        if js_sys::Date::now() - self.written_ms < f64::from(INTERVAL_MS) {
+    /// Writes the tree, and has egui make no other for a while: to make one takes longer than to write it.
+    fn receive(&mut self, update: &TreeUpdate, zoom: f64) {
+        self.missed = false;
+        self.write(update, zoom);
+        if self.timer.is_none() {
             self.timer = web_sys::window().and_then(|window| {
                 let callback = self.on_timer.as_ref().unchecked_ref();
                 window.set_timeout_with_callback_and_timeout_and_arguments_0(callback, INTERVAL_MS).ok()
             });
         }
-        if self.timer.is_none() {
-            self.write();
+        if self.timer.is_some() {
+            self.ctx.disable_accesskit();
         }
     }
 
-    fn write(&mut self) {
-        let Some((update, zoom)) = self.waiting.take() else {
-            return;
-        };
+    fn resume(&mut self) {
+        self.timer = None;
+        self.ctx.enable_accesskit();
+        if mem::take(&mut self.missed) {
+            // The page shows an older frame than the canvas.
+            self.ctx.request_repaint();
+        }
+    }
+
+    fn write(&mut self, update: &TreeUpdate, zoom: f64) {
         let Some(root) = update.tree.as_ref().map(|tree| tree.root) else {
             return;
         };
@@ -230,7 +237,25 @@ impl Page {
             place(&self.shown, &self.root, &children);
             self.children = children;
         }
-        self.written_ms = js_sys::Date::now();
+        self.announce_focus(update.focus);
+    }
+
+    /// Says what the keyboard has reached on the canvas, or what it has made of that.
+    fn announce_focus(&mut self, focus: NodeId) {
+        let on_element =
+            self.document.active_element().is_some_and(|active| self.root.contains(Some(&active)));
+        let pressed = self.ctx.input(|input| input.pointer.any_down());
+        let focused = self.shown.get(&focus).filter(|shown| !shown.picture.kind.holds());
+        let (name, value) = focused.map(|shown| shown.picture.spoken()).unwrap_or_default();
+        let told = mem::replace(&mut self.told, (focus, value.clone()));
+        if on_element || pressed || name.is_empty() {
+            return;
+        }
+        if told.0 != focus {
+            announce(&format!("{name}, {value}"));
+        } else if told.1 != value {
+            announce(&value);
+        }
     }
 
     /// Brings the element of this node up to date, if it has one, and names it in `siblings`; then those inside it.
@@ -284,7 +309,7 @@ impl Page {
         }
     }
 
-    fn hear(&mut self, name: &str, event: &Event) {
+    fn hear(&mut self, event: &Event) {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let Some(element) = target.and_then(|target| target.closest("[data-id]").ok().flatten()) else {
             return;
@@ -295,7 +320,7 @@ impl Page {
         };
         let kind = shown.picture.kind;
         let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
-        let (action, data) = match (name, kind) {
+        let (action, data) = match (event.type_().as_str(), kind) {
             ("focusin", kind) if shown.picture.focusable => {
                 if kind.is_typed() {
                     shown.begin_typing();
@@ -346,9 +371,10 @@ impl Drop for Page {
         if let (Some(timer), Some(window)) = (self.timer, web_sys::window()) {
             window.clear_timeout_with_handle(timer);
         }
-        for (name, listener) in &self.listeners {
+        for name in EVENTS {
             // If it can't be removed, it was never heard.
-            let _ = self.root.remove_event_listener_with_callback(name, listener.as_ref().unchecked_ref());
+            let _ =
+                self.root.remove_event_listener_with_callback(name, self.listener.as_ref().unchecked_ref());
         }
         self.root.set_text_content(None);
     }

@@ -199,6 +199,25 @@ impl Picture {
             bounds,
         })
     }
+
+    /// Its name, and what it is or what it is set to.
+    pub fn spoken(&self) -> (String, String) {
+        let attribute =
+            |name| self.attributes.iter().find(|(kept, _)| *kept == name).map(|(_, value)| value.clone());
+        let name = attribute("aria-label").unwrap_or_else(|| self.text.clone());
+        let value = match (&self.state, self.kind) {
+            (State::Toggled(Toggled::True), _) => "checked".to_owned(),
+            (State::Toggled(_), _) => "not checked".to_owned(),
+            (State::Value(value), _) => attribute("aria-valuetext").unwrap_or_else(|| value.clone()),
+            (State::None, Kind::ComboBox) => self.text.clone(),
+            (State::None, Kind::Button) if attribute("aria-pressed").as_deref() == Some("true") => {
+                "pressed".to_owned()
+            }
+            (State::None, Kind::Button) => "button".to_owned(),
+            (State::None, _) => attribute("role").unwrap_or_default(),
+        };
+        (name, value)
+    }
 }
 
 fn attributes(kind: Kind, node: &Node, name: &str) -> Vec<(&'static str, String)> {
@@ -253,7 +272,7 @@ fn attributes(kind: Kind, node: &Node, name: &str) -> Vec<(&'static str, String)
         put("aria-orientation", if orientation == Orientation::Vertical { "vertical" } else { "horizontal" });
     }
     if kind == Kind::Text
-        && let Some(placeholder) = node.placeholder()
+        && let Some(placeholder) = node.placeholder().filter(|placeholder| !placeholder.is_empty())
     {
         put("placeholder", placeholder);
     }
