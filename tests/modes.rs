@@ -94,9 +94,9 @@ fn names_follow_the_structure_of_the_roots_through_the_static_limit() {
     let entry = (Longitudinal::Q.index(), Longitudinal::W.index());
     for (factor, expected) in [
         (1.0, vec![ShortPeriod, Phugoid]),
-        (0.1, vec![ShortPeriod, Phugoid]),
+        (0.24, vec![ShortPeriod, Phugoid]),
         (0.0, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, Phugoid]),
-        (-0.19, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, PhugoidSlowRoot]),
+        (-0.26, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, PhugoidSlowRoot]),
         (-0.3, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, Divergence]),
         (-3.0, vec![ShortPeriodFastRoot, ThirdOscillatory, Divergence]),
     ] {
