@@ -63,9 +63,11 @@ fn trunk(project: &Project) -> Result<Command> {
     let mut command = Command::new(trunk.join("trunk"));
     command
         .current_dir(&project.root)
-        .env("PATH", tools::path_with(vec![trunk, wasm_bindgen])?)
-        // Some environments set NO_COLOR=1, which this Trunk takes for a malformed flag.
-        .env_remove("NO_COLOR");
+        .env("PATH", tools::path_with(vec![trunk, wasm_bindgen])?);
+    // Trunk reads NO_COLOR as a truth value and refuses the customary 1.
+    if std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty()) {
+        command.env("NO_COLOR", "true");
+    }
     Ok(command)
 }
 
