@@ -17,7 +17,6 @@ mod web {
 
     use eframe::egui;
     use wasm_bindgen::JsCast as _;
-    use wasm_bindgen::JsValue;
     use wasm_bindgen::closure::Closure;
 
     pub fn start() {
@@ -41,18 +40,17 @@ mod web {
         });
     }
 
-    fn dispatch(event: &JsValue) {
-        let dispatch = js_sys::global().unchecked_into::<web_sys::EventTarget>();
-        dispatch.dispatch_event(event.unchecked_ref()).ok();
+    fn dispatch(event: &web_sys::Event) {
+        if let Some(window) = web_sys::window() {
+            window.dispatch_event(event).ok();
+        }
     }
 
     fn report_failure(sentence: &str) {
-        let init = js_sys::Object::new();
-        js_sys::Reflect::set(&init, &"detail".into(), &sentence.into()).ok();
-        let constructor = js_sys::Reflect::get(&js_sys::global(), &"CustomEvent".into())
-            .expect("every browser has CustomEvent");
-        let arguments = js_sys::Array::of2(&"eigenwing-failed".into(), &init);
-        if let Ok(event) = js_sys::Reflect::construct(constructor.unchecked_ref(), &arguments) {
+        let init = web_sys::CustomEventInit::new();
+        init.set_detail(&sentence.into());
+        if let Ok(event) = web_sys::CustomEvent::new_with_event_init_dict("eigenwing-failed", &init)
+        {
             dispatch(&event);
         }
     }

@@ -123,4 +123,4 @@ fn tools_folder() -> Result<PathBuf> {
     Ok(base.cache_dir().join("eigenwing"))
 }
 
-const CARGO_DENY_VERSION: &str = "0.19.0";
+const CARGO_DENY_VERSION: &str = "0.20.2";
