@@ -26,6 +26,12 @@ const FLAGS = [
   "--disable-component-update",
   "--disable-sync",
 ];
+const HARMLESS = [
+  // Reading a software-drawn canvas for a screenshot.
+  "GL Driver Message",
+  // egui reads back glyphs that no bundled font has, one by one.
+  "Canvas2D: Multiple readback operations",
+];
 const PATIENCE = 30_000;
 const SCREENSHOTS = fileURLToPath(new URL("../screenshots/", import.meta.url));
 
@@ -68,14 +74,14 @@ export async function open(t, options = {}) {
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
   page.on("console", (message) => {
-    // Reading a software-drawn canvas for a screenshot makes the driver complain.
-    const driver = message.text().includes("GL Driver Message");
-    if (["error", "warning"].includes(message.type()) && !driver) seen.console.push(message.text());
+    const text = message.text();
+    const complaint = ["error", "warning"].includes(message.type());
+    if (complaint && !HARMLESS.some((start) => text.includes(start))) seen.console.push(text);
   });
   page.on("pageerror", (error) => seen.errors.push(error.message));
   page.on("request", (request) => seen.requests.push(request.url()));
 
-  // The page's own two events, and a count of what it draws.
+  // The page's own two events, the values of its progress bar, and a count of what it draws.
   let hearReady, hearFailed;
   const readyAt = new Promise((resolve) => (hearReady = resolve));
   const failedWith = new Promise((resolve) => (hearFailed = resolve));
@@ -84,6 +90,12 @@ export async function open(t, options = {}) {
   await page.addInitScript(() => {
     addEventListener("eigenwing-ready", () => reportReady(performance.now()));
     addEventListener("eigenwing-failed", (event) => reportFailed(event.detail));
+    window.progressValues = [];
+    new MutationObserver((changes) => {
+      for (const { target } of changes) {
+        if (target.id === "progress") window.progressValues.push(target.value);
+      }
+    }).observe(document, { subtree: true, attributes: true, attributeFilter: ["value"] });
     window.drawCalls = 0;
     for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
       for (const name of ["drawElements", "drawArrays"]) {
@@ -117,6 +129,8 @@ export async function open(t, options = {}) {
     state: async () => JSON.parse(await page.evaluate(() => window.eigenwing.state())),
     // A slider by its accessible name (whole, or a pattern).
     slider: (name) => page.getByRole("slider", { name, exact: true }),
+    // What the progress bar has shown, each value once.
+    progress: async () => [...new Set(await page.evaluate(() => window.progressValues))],
     // How often the page draws in this time.
     drawCallsIn: async (milliseconds) => {
       const before = await page.evaluate(() => window.drawCalls);

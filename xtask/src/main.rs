@@ -2,7 +2,7 @@
 
 mod browser_tests;
 mod chromium;
-mod content_security_policy;
+mod finish_page;
 mod layers;
 mod licences;
 mod page;
@@ -53,7 +53,7 @@ fn main() -> ExitCode {
         Task::Build => page::build(&project),
         Task::Test => stages::run_all(&project),
         Task::Deny => licences::check(&project),
-        Task::FinishPage => content_security_policy::finish_page(),
+        Task::FinishPage => finish_page::finish(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

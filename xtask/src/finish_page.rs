@@ -1,5 +1,10 @@
+//! What is left to do on a page that Trunk has built.
+//!
 //! The content security policy allows no inline script but Trunk's own, which starts the program.
 //! Its text holds the hashed names of the files, so its hash is known only after a build.
+//!
+//! Trunk gives the program's preload an `integrity` that browsers ignore, and say so on every
+//! start (crbug.com/981419); it is removed. Scripts and styles keep theirs.
 
 use std::path::Path;
 
@@ -10,15 +15,15 @@ use sha2::{Digest as _, Sha256};
 
 const PLACEHOLDER: &str = "INLINE-SCRIPT-HASHES";
 
-/// Trunk's hook after a build: fills in the hashes.
-pub fn finish_page() -> Result<()> {
+/// Trunk's hook after a build.
+pub fn finish() -> Result<()> {
     let staging = std::env::var_os("TRUNK_STAGING_DIR")
         .context("TRUNK_STAGING_DIR is not set; Trunk calls this as a hook")?;
     let path = Path::new(&staging).join("index.html");
     let page = std::fs::read_to_string(&path)
         .with_context(|| format!("cannot read {}", path.display()))?;
-    std::fs::write(&path, with_hashes(&page)?)
-        .with_context(|| format!("cannot write {}", path.display()))
+    let page = with_hashes(&without_ignored_integrity(&page))?;
+    std::fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))
 }
 
 fn with_hashes(page: &str) -> Result<String> {
@@ -41,6 +46,21 @@ fn with_hashes(page: &str) -> Result<String> {
     Ok(page.replace(PLACEHOLDER, &hashes.join(" ")))
 }
 
+fn without_ignored_integrity(page: &str) -> String {
+    let mut tags = page.split("<link");
+    let before = tags.next().unwrap_or_default().to_owned();
+    tags.fold(before, |page, tag| {
+        let preload = tag.contains("as=fetch") || tag.contains("as=\"fetch\"");
+        match tag.split_once(" integrity=") {
+            Some((start, rest)) if preload => {
+                let end = rest.find([' ', '>']).unwrap_or(rest.len());
+                page + "<link" + start + &rest[end..]
+            }
+            _ => page + "<link" + tag,
+        }
+    })
+}
+
 /// The texts between `<script …>` and `</script>`. The page is Trunk's output, with tags in lower
 /// case and none within comments.
 fn inline_scripts(page: &str) -> impl Iterator<Item = &str> {
@@ -54,7 +74,7 @@ fn inline_scripts(page: &str) -> impl Iterator<Item = &str> {
 
 #[cfg(test)]
 mod tests {
-    use super::with_hashes;
+    use super::{with_hashes, without_ignored_integrity};
 
     #[test]
     fn every_inline_script_is_allowed_by_its_hash_and_no_other() {
@@ -65,6 +85,15 @@ mod tests {
         assert!(
             finished
                 .contains("script-src 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng='\">")
+        );
+    }
+
+    #[test]
+    fn only_the_preload_of_the_program_loses_its_integrity() {
+        let page = "<link integrity=a rel=stylesheet><link as=fetch integrity=b rel=preload><p>";
+        assert_eq!(
+            without_ignored_integrity(page),
+            "<link integrity=a rel=stylesheet><link as=fetch rel=preload><p>"
         );
     }
 
