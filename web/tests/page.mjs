@@ -1,0 +1,149 @@
+// Opens the built page in Chromium for a test, and notes everything that it does.
+//
+//   test("…", async (t) => {
+//     const { page, ready, state, slider } = await open(t);
+//     await ready();
+//     await slider("Mass").fill("1200");
+//     assert.equal((await state()).mass, 1200);
+//   });
+
+import { mkdirSync } from "node:fs";
+import { after } from "node:test";
+import { setTimeout as sleep } from "node:timers/promises";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { serve } from "./server.mjs";
+
+const FLAGS = [
+  "--headless=new",
+  "--no-sandbox",
+  "--use-gl=angle",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+const HARMLESS = [
+  // Reading a software-drawn canvas for a screenshot.
+  "GL Driver Message",
+  // egui reads back glyphs that no bundled font has, one by one.
+  "Canvas2D: Multiple readback operations",
+];
+const PATIENCE = 30_000;
+const SCREENSHOTS = fileURLToPath(new URL("../screenshots/", import.meta.url));
+
+// One browser for each set of extra flags, kept until the test file ends.
+const browsers = new Map();
+
+function browserWith(flags) {
+  const key = flags.join(" ");
+  if (!browsers.has(key)) {
+    browsers.set(
+      key,
+      chromium.launch({
+        executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+        args: [...FLAGS, ...flags],
+      }),
+    );
+  }
+  return browsers.get(key);
+}
+
+after(async () => {
+  for (const browser of browsers.values()) await (await browser).close();
+});
+
+// Options: `viewport`, `colorScheme`, `touch`; `flags` for the browser; `fragment` of the address
+// ("#v=1&ac=navion"); `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
+// Closes itself when the test ends.
+export async function open(t, options = {}) {
+  const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false } = options;
+  const browser = await browserWith(options.flags ?? []);
+  const server = await serve(options.server);
+  const context = await browser.newContext({ viewport, colorScheme, hasTouch: touch, isMobile: touch });
+  t.after(async () => {
+    await context.close();
+    server.close();
+  });
+
+  // What the page has done: text of console errors and warnings, uncaught errors, addresses asked for.
+  const seen = { console: [], errors: [], requests: [] };
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  page.on("console", (message) => {
+    const text = message.text();
+    const complaint = ["error", "warning"].includes(message.type());
+    if (complaint && !HARMLESS.some((start) => text.includes(start))) seen.console.push(text);
+  });
+  page.on("pageerror", (error) => seen.errors.push(error.message));
+  page.on("request", (request) => seen.requests.push(request.url()));
+
+  // The page's own two events, the values of its progress bar, and a count of what it draws.
+  let hearReady, hearFailed;
+  const readyAt = new Promise((resolve) => (hearReady = resolve));
+  const failedWith = new Promise((resolve) => (hearFailed = resolve));
+  await page.exposeFunction("reportReady", (time) => hearReady(time));
+  await page.exposeFunction("reportFailed", (detail) => hearFailed(detail));
+  await page.addInitScript(() => {
+    addEventListener("eigenwing-ready", () => reportReady(performance.now()));
+    addEventListener("eigenwing-failed", (event) => reportFailed(event.detail));
+    window.progressValues = [];
+    new MutationObserver((changes) => {
+      for (const { target } of changes) {
+        if (target.id === "progress") window.progressValues.push(target.value);
+      }
+    }).observe(document, { subtree: true, attributes: true, attributeFilter: ["value"] });
+    window.drawCalls = 0;
+    for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
+      for (const name of ["drawElements", "drawArrays"]) {
+        const draw = prototype[name];
+        prototype[name] = function (...rest) {
+          window.drawCalls += 1;
+          return draw.apply(this, rest);
+        };
+      }
+    }
+  });
+
+  const url = server.url + (options.fragment ?? "");
+  await page.goto(url, { waitUntil: options.waitUntil ?? "load" });
+
+  return {
+    page,
+    url,
+    seen,
+    // Waits for the first frame; milliseconds since the page was asked for.
+    ready: async () => {
+      const late = sleep(PATIENCE, undefined, { ref: false }).then(() => {
+        throw new Error(`not ready after ${PATIENCE} ms; ${JSON.stringify(seen)}`);
+      });
+      const failed = failedWith.then((detail) => {
+        throw new Error(`the program failed: ${detail}; ${JSON.stringify(seen)}`);
+      });
+      return Promise.race([readyAt, failed, late]);
+    },
+    // What the program says about itself.
+    state: async () => JSON.parse(await page.evaluate(() => window.eigenwing.state())),
+    // A slider by its accessible name (whole, or a pattern).
+    slider: (name) => page.getByRole("slider", { name, exact: true }),
+    // What the progress bar has shown, each value once.
+    progress: async () => [...new Set(await page.evaluate(() => window.progressValues))],
+    // How often the page draws in this time.
+    drawCallsIn: async (milliseconds) => {
+      const before = await page.evaluate(() => window.drawCalls);
+      await sleep(milliseconds);
+      return (await page.evaluate(() => window.drawCalls)) - before;
+    },
+    // A picture in web/screenshots/.
+    screenshot: async (name) => {
+      mkdirSync(SCREENSHOTS, { recursive: true });
+      await page.screenshot({ path: `${SCREENSHOTS}${name}.png` });
+    },
+    // Requests to anywhere but the page's own host.
+    foreignRequests: () =>
+      seen.requests.filter((request) => !request.startsWith(new URL(url).origin) && !/^(data|blob):/.test(request)),
+  };
+}
