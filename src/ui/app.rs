@@ -258,7 +258,7 @@ impl App {
     fn pole_pane_ui(&mut self, ui: &mut Ui, height: f32) {
         theme::pane(Palette::of(ui)).show(ui, |ui| {
             ui.set_height(height);
-            ui.heading("Pole map");
+            theme::heading(ui, RichText::new("Pole map").heading(), 2);
             self.poles_ui(ui);
         });
     }

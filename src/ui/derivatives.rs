@@ -28,7 +28,7 @@ pub enum Rows {
 /// Draws all groups; edits `scenario` in place. `explained` is the row that the help card speaks of.
 pub fn derivatives_ui(ui: &mut Ui, scenario: &mut Scenario, rows: Rows, explained: &mut &'static str) {
     ui.horizontal(|ui| {
-        ui.heading("Derivatives");
+        theme::heading(ui, RichText::new("Derivatives").heading(), 2);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let reset = Button::new(RichText::new("Reset all").font(theme::small()));
             if ui.add_enabled(scenario.is_edited(), reset).clicked() {
@@ -45,7 +45,8 @@ pub fn derivatives_ui(ui: &mut Ui, scenario: &mut Scenario, rows: Rows, explaine
         .show(ui, |ui| {
             for group in Group::DERIVATIVES {
                 ui.add_space(3.0);
-                ui.label(RichText::new(group.text()).font(theme::semibold(11.5)).color(Palette::of(ui).weak));
+                let title = RichText::new(group.text()).font(theme::semibold(11.5));
+                theme::heading(ui, title.color(Palette::of(ui).weak), 3);
                 for parameter in PARAMETERS.iter().filter(|p| p.group == group) {
                     if row_ui(ui, scenario, parameter, rows) {
                         *explained = parameter.key;

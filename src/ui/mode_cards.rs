@@ -95,7 +95,8 @@ pub fn card_ui(ui: &mut Ui, mode: &Mode, before: Option<&Mode>) {
             ui.set_width(ui.available_width());
             ui.spacing_mut().interact_size.y = 19.0;
             ui.horizontal(|ui| {
-                ui.label(RichText::new(mode.naming.name.text()).heading().size(14.0).color(color));
+                let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
+                theme::heading(ui, name.color(color), 3);
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| chip_ui(ui, mode));
             });
             numbers_ui(ui, mode);

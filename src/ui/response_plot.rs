@@ -278,8 +278,9 @@ fn describe(curves: &Curves<'_>) -> String {
     let extreme = |pick: fn(f64, f64) -> f64| curves.now.points.iter().map(|point| point.y).fold(0.0, pick);
     let last = curves.now.points.last().map_or(0.0, |point| point.y);
     format!(
-        "Response of {symbol} in {}: between {} and {}, {} at the end",
+        "Response of {symbol} in {} against {}: between {} and {}, {} at the end",
         curves.unit,
+        if curves.against.0 == "t" { "time" } else { "α" },
         significant(extreme(f64::min), 3),
         significant(extreme(f64::max), 3),
         significant(last, 3),

@@ -106,11 +106,13 @@ impl Studied<'_> {
 /// The row of the disturbance and its rows of numbers; edits `scenario` in place.
 pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario) {
     let kind = scenario.disturbance.kind;
-    ComboBox::from_id_salt("disturbance").selected_text(kind.text()).width(130.0).show_ui(ui, |ui| {
+    let chooser = ComboBox::from_id_salt("disturbance").selected_text(kind.text()).width(130.0);
+    let chooser = chooser.show_ui(ui, |ui| {
         for other in DisturbanceKind::ALL {
             ui.selectable_value(&mut scenario.disturbance.kind, other, other.text());
         }
     });
+    theme::name_chooser(chooser, "Disturbance", kind.text());
     let keys: &[&str] = match scenario.disturbance.kind {
         DisturbanceKind::ElevatorStep => &["step", "time"],
         DisturbanceKind::ElevatorPulse => &["pulse", "pulse_for", "time"],
@@ -125,7 +127,7 @@ impl Responses {
     /// Heading and choosers; edits the disturbance in place.
     pub fn choosers_ui(&mut self, ui: &mut Ui, scenario: &mut Scenario) {
         ui.horizontal_wrapped(|ui| {
-            ui.heading("Response to");
+            theme::heading(ui, RichText::new("Response to").heading(), 2);
             disturbance_ui(ui, scenario);
             ui.selectable_value(&mut self.w_instead_of_alpha, false, "α")
                 .on_hover_text("Angle of attack, α = w/U₀");

@@ -42,7 +42,9 @@ pub fn symbol_ui(ui: &mut Ui, symbol: &Symbol<'_>, size: f32, color: Color32, wi
     let room =
         Vec2::new(width.unwrap_or(galley.size().x), ui.spacing().interact_size.y.min(ui.available_height()));
     let (place, response) = ui.allocate_exact_size(room, Sense::hover());
+    // Read with the control or the number that it stands beside, not a second time.
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, symbol.plain()));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_hidden());
     ui.painter().galley(place.left_center() - Vec2::new(0.0, 0.5 * galley.size().y), galley, color);
 }
 

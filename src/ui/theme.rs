@@ -3,7 +3,11 @@
 //! The colours of the modes are those of Okabe & Ito (2008), told apart with any colour vision; in the dark
 //! palette they are lightened. Colour never stands alone: a mode also has its name.
 
-use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Theme, Ui, Vec2};
+use egui::accesskit::Role;
+use egui::{
+    Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Response, RichText, Stroke,
+    TextStyle, Theme, Ui, Vec2,
+};
 
 use super::fonts;
 use crate::flight::modes::DynamicStability;
@@ -203,6 +207,25 @@ fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
         style.corner_radius = CornerRadius::same(6);
         style.expansion = 0.0;
     }
+}
+
+/// A heading, for eyes and for screen readers.
+pub fn heading(ui: &mut Ui, text: RichText, level: usize) {
+    let response = ui.label(text);
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(Role::Heading);
+        node.set_level(level);
+    });
+}
+
+/// Gives a list to choose from its name, and tells screen readers whether it is open and what is chosen.
+pub fn name_chooser<R>(chooser: InnerResponse<Option<R>>, name: &str, chosen: &str) -> Response {
+    let response = chooser.response.accessible_name(name);
+    response.ctx.accesskit_node_builder(response.id, |node| {
+        node.set_value(chosen);
+        node.set_expanded(chooser.inner.is_some());
+    });
+    response
 }
 
 /// A pane: white ground with a hairline.

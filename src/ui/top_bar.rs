@@ -29,7 +29,7 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     ui.horizontal_wrapped(|ui| {
         if !bar.narrow {
-            ui.label(RichText::new("Eigenwing").font(theme::semibold(17.0)));
+            theme::heading(ui, RichText::new("Eigenwing").font(theme::semibold(17.0)), 1);
             ui.add_space(6.0);
         }
         action = aircraft_ui(ui, bar);
@@ -56,19 +56,16 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         } else {
             format!("{} · {}", now.name, now.condition)
         });
-    let response = chooser
-        .show_ui(ui, |ui| {
-            for aircraft in bar.aircraft {
-                let text = format!("{} · {}", aircraft.name, aircraft.condition);
-                if ui.selectable_label(aircraft.key == now.key, text).clicked() {
-                    action = Some(Action::Load(aircraft.clone()));
-                }
+    let chooser = chooser.show_ui(ui, |ui| {
+        for aircraft in bar.aircraft {
+            let text = format!("{} · {}", aircraft.name, aircraft.condition);
+            if ui.selectable_label(aircraft.key == now.key, text).clicked() {
+                action = Some(Action::Load(aircraft.clone()));
             }
-        })
-        .response;
-    response
-        .accessible_name("Aircraft")
-        .on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
+        }
+    });
+    let response = theme::name_chooser(chooser, "Aircraft", &now.name);
+    response.on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
     action
 }
 
@@ -107,7 +104,7 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     {
         let palette = Palette::of(ui);
         ui.label(
-            RichText::new(format!("○ ╌  pinned: {}", ghost.name)).font(theme::small()).color(palette.ghost),
+            RichText::new(format!("○ pinned: {}", ghost.name)).font(theme::small()).color(palette.ghost),
         );
     }
     action
