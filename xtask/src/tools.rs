@@ -28,7 +28,7 @@ impl Tool {
             package: "trunk",
             version: "0.22.0-beta.1".to_owned(),
             locked: true,
-            minutes: 11,
+            minutes: 8,
         }
     }
 
@@ -76,10 +76,14 @@ impl Tool {
             install.arg("--locked");
         }
         install.arg(self.package);
-        // The tool's own build has nothing to do with the project's settings.
+        // The tool's own build has nothing to do with the project's settings, and it is soon over:
+        // Trunk's own profile would take a third longer, half of it on one core.
         install
             .env_remove("CARGO_TARGET_DIR")
-            .env_remove("RUSTFLAGS");
+            .env_remove("RUSTFLAGS")
+            .env("CARGO_PROFILE_RELEASE_LTO", "off")
+            .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
+            .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
         process::run(&mut install)?;
         Ok(bin)
     }
