@@ -1,11 +1,245 @@
-//! The user interface by role and label, without a window. A stand-in until there is one.
+//! The user interface by role and name, without a window.
 
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::flight::Analysis;
+use eigenwing::scenario::{PARAMETERS, Parameter};
+use eigenwing::ui::App;
+
+const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
+const TABLET: Vec2 = Vec2::new(1024.0, 768.0);
+const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+
+fn page(size: Vec2) -> Harness<'static, Option<App>> {
+    let mut harness = Harness::builder().with_size(size).build_ui_state(
+        |ui, app: &mut Option<App>| {
+            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
+        },
+        None,
+    );
+    harness.run();
+    harness
+}
+
+fn app<'h>(harness: &'h Harness<'_, Option<App>>) -> &'h App {
+    harness.state().as_ref().expect("the page has been drawn")
+}
+
+fn analysis<'h>(harness: &'h Harness<'_, Option<App>>) -> &'h Analysis {
+    app(harness).analysis().expect("a frame has been drawn").as_ref().expect("an analysis")
+}
+
+fn value(harness: &Harness<'_, Option<App>>, key: &str) -> f64 {
+    Parameter::find(key).expect("a row").get(app(harness).scenario())
+}
+
+fn choose(harness: &mut Harness<'_, Option<App>>, chooser: &str, choice: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, chooser).click();
+    harness.run();
+    harness.get_by_label_contains(choice).click();
+    harness.run();
+}
+
+const PITCH_STIFFNESS: &str = "pitch stiffness M_w";
 
 #[test]
-fn an_empty_user_interface_settles() {
-    let mut harness = Harness::new_ui(|ui| {
-        ui.separator();
-    });
+fn every_derivative_has_a_slider_and_a_field_by_name() {
+    let harness = page(WIDE);
+    for p in PARAMETERS.iter().take(11) {
+        let sliders = harness
+            .get_all_by_role(Role::Slider)
+            .filter(|node| node.accesskit_node().label().is_some_and(|label| label.starts_with(p.name)));
+        assert_eq!(sliders.count(), 1, "{}", p.name);
+    }
+    assert_eq!(harness.get_all_by_role(Role::Slider).count(), 11);
+}
+
+#[test]
+fn an_arrow_key_moves_a_slider_and_the_poles_in_the_same_frame() {
+    let mut harness = page(WIDE);
+    let before = analysis(&harness).modes[0].lambda;
+    harness.get_by_role_and_label(Role::Slider, PITCH_STIFFNESS).focus();
     harness.run();
+    let (m_w, computations) = (value(&harness, "mw"), app(&harness).computations());
+    harness.key_press(Key::ArrowLeft);
+    harness.step();
+    assert!(value(&harness, "mw") < m_w);
+    assert!(analysis(&harness).modes[0].lambda.im > before.im, "stiffer pitch, faster short period");
+    assert_eq!(app(&harness).computations(), computations + 1, "one edit, one computation");
+    harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    harness.run();
+    assert!(value(&harness, "mw") < m_w - 5.0 * (m_w - value(&harness, "mw")) / 11.0);
+    harness.key_press(Key::Delete);
+    harness.run();
+    assert_eq!(value(&harness, "mw"), m_w);
+}
+
+#[test]
+fn every_slider_can_be_taken_to_both_ends_by_keyboard_at_any_size() {
+    for size in [WIDE, TABLET] {
+        let mut harness = page(size);
+        for p in PARAMETERS.iter().take(11) {
+            let label = harness
+                .get_all_by_role(Role::Slider)
+                .filter_map(|node| node.accesskit_node().label())
+                .find(|label| label.starts_with(p.name))
+                .expect("a slider");
+            for (key, end) in [(Key::Home, false), (Key::End, true)] {
+                harness.get_by_role_and_label(Role::Slider, &label).focus();
+                harness.run();
+                harness.key_press(key);
+                harness.run();
+                let range = p.range(app(&harness).scenario());
+                let expected = if end { *range.end() } else { *range.start() };
+                assert!((value(&harness, p.key) - expected).abs() <= 1e-12 * expected.abs(), "{label}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_screen_reader_sets_a_slider_and_undo_takes_it_back() {
+    let mut harness = page(WIDE);
+    let before = value(&harness, "mq");
+    harness.get_by_role_and_label(Role::Slider, "pitch damping M_q").set_value_accesskit(-1.0);
+    harness.run_steps(120);
+    assert_eq!(value(&harness, "mq"), -1.0);
+    harness.get_by_label("Undo").click();
+    harness.run();
+    assert_eq!(value(&harness, "mq"), before);
+    harness.get_by_label("Redo").click();
+    harness.run();
+    assert_eq!(value(&harness, "mq"), -1.0);
+}
+
+#[test]
+fn the_wheel_over_a_slider_or_a_number_edits_nothing() {
+    let mut harness = page(WIDE);
+    let before = app(&harness).scenario().clone();
+    for role in [Role::Slider, Role::TextInput] {
+        let center = harness.get_all_by_role(role).next().expect("a control").rect().center();
+        harness.hover_at(center);
+        harness.run();
+        harness.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Line,
+            delta: Vec2::new(3.0, 5.0),
+            phase: egui::TouchPhase::Move,
+            modifiers: Modifiers::NONE,
+        });
+        harness.run();
+    }
+    assert_eq!(app(&harness).scenario(), &before);
+}
+
+fn type_into(harness: &mut Harness<'_, Option<App>>, field: &str, text: &str) {
+    harness.get_by_role_and_label(Role::TextInput, field).focus();
+    harness.run();
+    harness.get_by_role_and_label(Role::TextInput, field).type_text(text);
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+}
+
+#[test]
+fn a_typed_number_is_taken() {
+    let mut harness = page(WIDE);
+    type_into(&mut harness, "pitch stiffness M_w, typed", "-0.25");
+    assert_eq!(value(&harness, "mw"), -0.25);
+}
+
+#[test]
+fn a_typed_number_that_cannot_be_used_is_refused_in_a_sentence_and_nothing_is_lost() {
+    for (text, sentence) in
+        [("steep", "is not a number"), ("nan", "finite number"), ("1e300", "beyond anything meaningful")]
+    {
+        let mut harness = page(WIDE);
+        let before = app(&harness).scenario().clone();
+        type_into(&mut harness, "pitch stiffness M_w, typed", text);
+        assert_eq!(app(&harness).scenario(), &before);
+        assert_eq!(harness.query_all_by_label_contains(sentence).count(), 1, "{text}");
+        let field = harness.get_by_role_and_label(Role::TextInput, "pitch stiffness M_w, typed");
+        assert_eq!(field.value().as_deref(), Some(text));
+        // Escape gives the number back.
+        field.focus();
+        harness.run();
+        harness.key_press(Key::Escape);
+        harness.run();
+        assert_eq!(harness.query_all_by_label_contains(sentence).count(), 0);
+    }
+}
+
+#[test]
+fn resetting_takes_back_one_or_all() {
+    let mut harness = page(WIDE);
+    type_into(&mut harness, "pitch stiffness M_w, typed", "-0.25");
+    type_into(&mut harness, "pitch damping M_q, typed", "-1");
+    harness.get_by_label("Reset pitch stiffness M_w").click();
+    harness.run();
+    assert_eq!((value(&harness, "mw"), value(&harness, "mq")), (-0.12963902, -1.0));
+    harness.get_by_label("Reset all").click();
+    harness.run();
+    assert!(!app(&harness).scenario().is_edited());
+}
+
+#[test]
+fn the_printed_lesson_warns_of_its_units_and_compares_with_the_mended_one() {
+    let mut harness = page(WIDE);
+    choose(&mut harness, "Aircraft", "Lesson 4, as printed");
+    assert_eq!(app(&harness).scenario().aircraft.key, "lesson-printed");
+    harness.get_by_label_contains("g/U₀ = 5.6 1/s");
+    harness.get_by_label_contains("Dynamically unstable: the phugoid doubles every 4.1 s");
+    harness.get_by_label_contains("Statically stable: det A = 18.1 > 0");
+    harness.get_by_label("Compare with gravity in the same unit").click();
+    harness.run();
+    harness.get_by_label_contains("pinned: Lesson 4, gravity in the same unit");
+    assert_eq!(harness.query_all_by_label_contains("Pinned → now").count(), 2);
+    harness.get_by_label_contains("Unpin").click();
+    harness.run();
+    assert_eq!(harness.query_all_by_label_contains("Pinned → now").count(), 0);
+}
+
+#[test]
+fn each_disturbance_can_be_chosen_and_sized() {
+    let mut harness = page(WIDE);
+    for (choice, field) in [
+        ("Elevator pulse", "elevator pulse in deg"),
+        ("Vertical gust", "speed of the rising air in m/s"),
+        ("Elevator step", "elevator step in deg"),
+    ] {
+        choose(&mut harness, "Disturbance", choice);
+        let before = analysis(&harness).response.clone();
+        type_into(&mut harness, field, "2");
+        assert_ne!(analysis(&harness).response, before, "{choice}");
+    }
+}
+
+#[test]
+fn an_idle_page_asks_for_no_frame() {
+    for size in [WIDE, TABLET, PHONE] {
+        let mut harness = page(size);
+        harness.run();
+        let delay =
+            harness.output().viewport_output.values().map(|v| v.repaint_delay).min().expect("a viewport");
+        assert!(delay > std::time::Duration::from_secs(1), "{size}: {delay:?}");
+    }
+}
+
+#[test]
+fn on_a_phone_the_pole_map_stays_with_each_pane() {
+    let mut harness = page(PHONE);
+    for pane in ["Modes", "Response", "Derivatives"] {
+        harness.get_by_role_and_label(Role::Button, pane).click();
+        harness.run();
+        assert_eq!(harness.query_all_by_label_contains("Pole map, All modes").count(), 1, "{pane}");
+    }
+    assert!(harness.query_all_by_role(Role::Slider).count() > 5);
+}
+
+#[test]
+fn poles_are_described_in_words() {
+    let harness = page(WIDE);
+    harness
+        .get_by_label_contains("Pole map, All modes: Short period ζ 0.70 · T 2.4 s; Phugoid ζ 0.08 · T 30 s");
 }
