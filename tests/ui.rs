@@ -126,6 +126,7 @@ fn the_wheel_over_a_slider_or_a_number_edits_nothing() {
             unit: egui::MouseWheelUnit::Line,
             delta: Vec2::new(3.0, 5.0),
             phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
             modifiers: Modifiers::NONE,
         });
         harness.run();
