@@ -39,11 +39,11 @@ fn close(computed: f64, published: f64, half_unit: f64) {
 fn the_navion_has_the_published_short_period_and_phugoid() {
     let analysis = analysis(aircraft("navion"));
     let short_period = mode(&analysis, ModeName::ShortPeriod);
-    close(short_period.natural_frequency().unwrap(), 3.6083, 1e-4);
-    close(short_period.damping_ratio().unwrap(), 0.6957, 0.5e-4);
+    close(short_period.natural_frequency().expect("a number"), 3.6083, 1e-4);
+    close(short_period.damping_ratio().expect("a number"), 0.6957, 0.5e-4);
     let phugoid = mode(&analysis, ModeName::Phugoid);
-    close(phugoid.natural_frequency().unwrap(), 0.2137, 0.5e-4);
-    close(phugoid.damping_ratio().unwrap(), 0.0801, 1e-4);
+    close(phugoid.natural_frequency().expect("a number"), 0.2137, 0.5e-4);
+    close(phugoid.damping_ratio().expect("a number"), 0.0801, 1e-4);
     assert_eq!(analysis.dynamic_stability, DynamicStability::Stable);
 }
 
@@ -55,8 +55,8 @@ fn the_printed_lesson_is_statically_stable_and_dynamically_unstable() {
     assert_eq!(mode(&analysis, ModeName::ShortPeriod).stability, DynamicStability::Stable);
     let phugoid = mode(&analysis, ModeName::Phugoid);
     assert_eq!(phugoid.stability, DynamicStability::Unstable);
-    close(phugoid.time_to_double().unwrap(), 4.114997864, 1e-8);
-    close(phugoid.damping_ratio().unwrap(), -0.146573756, 1e-9);
+    close(phugoid.time_to_double().expect("a number"), 4.114997864, 1e-8);
+    close(phugoid.damping_ratio().expect("a number"), -0.146573756, 1e-9);
     assert_eq!(phugoid.time_to_half(), None);
     assert_eq!(analysis.dynamic_stability, DynamicStability::Unstable);
     assert_eq!(analysis.static_stability.verdict, StaticVerdict::Stable);

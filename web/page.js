@@ -34,7 +34,7 @@
       fail(
         "Eigenwing has stopped",
         detail || "The program met a mistake of its own and cannot go on.",
-        "Reload to start again. The address of this page keeps the scene you were looking at.",
+        "Reload to start again.",
       );
     } else if (!canDrawWithWebGl()) {
       fail(
@@ -88,7 +88,7 @@
     fail(
       "The graphics were interrupted",
       "The browser took the graphics away from this page, perhaps to save memory.",
-      "Reload to go on. The address of this page keeps the scene you were looking at.",
+      "Reload to go on.",
     ),
   );
 

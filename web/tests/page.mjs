@@ -29,8 +29,6 @@ const FLAGS = [
 const HARMLESS = [
   // Reading a software-drawn canvas for a screenshot.
   "GL Driver Message",
-  // egui reads back glyphs that no bundled font has, one by one.
-  "Canvas2D: Multiple readback operations",
 ];
 const PATIENCE = 30_000;
 const SCREENSHOTS = fileURLToPath(new URL("../screenshots/", import.meta.url));
