@@ -109,7 +109,10 @@ pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario) {
     let chooser = ComboBox::from_id_salt("disturbance").selected_text(kind.text()).width(130.0);
     let chooser = chooser.show_ui(ui, |ui| {
         for other in DisturbanceKind::ALL {
-            ui.selectable_value(&mut scenario.disturbance.kind, other, other.text());
+            if ui.selectable_label(kind == other, other.text()).clicked() {
+                scenario.disturbance.kind = other;
+                ui.close();
+            }
         }
     });
     theme::name_chooser(chooser, "Disturbance", kind.text());

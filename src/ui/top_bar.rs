@@ -61,6 +61,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             let text = format!("{} · {}", aircraft.name, aircraft.condition);
             if ui.selectable_label(aircraft.key == now.key, text).clicked() {
                 action = Some(Action::Load(aircraft.clone()));
+                ui.close();
             }
         }
     });

@@ -35,8 +35,10 @@ async function until(state, condition, what) {
 }
 
 async function choose(page, chooser, choice) {
-  await page.getByRole("combobox", { name: chooser }).or(page.getByRole("button", { name: chooser })).first().dispatchEvent("click");
-  await page.getByText(choice).last().dispatchEvent("click");
+  await page.getByRole("combobox", { name: chooser }).dispatchEvent("click");
+  const option = page.getByRole("option", { name: choice });
+  await option.dispatchEvent("click");
+  await option.waitFor({ state: "detached" });
 }
 
 async function middle(locator) {
@@ -74,9 +76,10 @@ test("a slider moved by keyboard moves poles and response, and undo takes it bac
   const { page, ready, state, slider, seen } = await open(t);
   await ready();
   const before = await state();
-  const { x, y } = await middle(slider(PITCH_STIFFNESS));
-  // A click beside the handle gives focus; Delete goes back to the reference.
-  await page.mouse.click(x, y);
+  const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
+  // A click beside the handle moves it and gives focus; Delete goes back to the reference.
+  await page.mouse.click(x + width / 4, y);
+  await until(state, (now) => now.parameters.mw !== before.parameters.mw, "moved by the click");
   await page.keyboard.press("Delete");
   await until(state, (now) => now.parameters.mw === before.parameters.mw, "the reference again");
   await page.keyboard.press("Shift+ArrowLeft");
