@@ -84,7 +84,7 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
         if hovered {
             ui.painter().rect_filled(row, 4.0, palette.field);
         }
-        symbol_ui(ui, &symbol, 15.0, palette.text, Some(SYMBOL_WIDTH));
+        symbol_ui(ui, &symbol, 16.0, palette.text, Some(SYMBOL_WIDTH));
         let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
         let rest = FIELD_WIDTH + unit_width + RESET_WIDTH + 5.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {

@@ -46,7 +46,7 @@ pub fn arc_frequencies(view: View) -> impl Iterator<Item = f64> {
 pub fn grid(plot: &mut PlotUi<'_>, view: View, palette: &Palette) {
     let dashed = |points: PlotPoints<'static>| {
         Line::new("", points)
-            .color(palette.hairline)
+            .color(palette.grid)
             .width(1.0)
             .style(LineStyle::dashed_loose())
             .allow_hover(false)

@@ -197,7 +197,7 @@ fn plane(plot: &mut egui_plot::PlotUi<'_>, view: View, palette: &Palette) {
     plot.span(half(view.left.min(0.0)..=0.0, palette.stable_half));
     plot.span(half(0.0..=view.right.max(0.0), palette.unstable_half));
     pole_grid::grid(plot, view, palette);
-    let axis = egui_plot::HLine::new("", 0.0).color(palette.hairline).width(1.0).allow_hover(false);
+    let axis = egui_plot::HLine::new("", 0.0).color(palette.grid).width(1.0).allow_hover(false);
     plot.hline(axis);
     plot.vline(VLine::new("", 0.0).color(palette.strong).width(1.5).allow_hover(false));
 }
@@ -251,7 +251,7 @@ fn name_only(
 /// "ζ 0.69 · 2.4 s" of an oscillation, the time to half or double of a real root.
 fn numbers(mode: &Mode) -> String {
     let numbers = match (mode.damping_ratio(), mode.period()) {
-        (Some(zeta), Some(period)) => format!("ζ {} · T {} s", fixed(zeta, 2), significant(period, 2)),
+        (Some(zeta), Some(period)) => format!("ζ {} · T {} s", fixed(zeta, 2), significant(period, 3)),
         _ => match (mode.time_to_half(), mode.time_to_double()) {
             (Some(t), _) => format!("halves in {} s", significant(t, 2)),
             (_, Some(t)) => format!("doubles in {} s", significant(t, 2)),

@@ -183,7 +183,7 @@ fn draw<'a>(
 /// Symbol and unit on the left; on the right the value at the cursor.
 fn title(ui: &Ui, rect: Rect, curves: &Curves<'_>, value: Option<f64>) {
     let palette = Palette::of(ui);
-    let mut job = Symbol::parse(curves.symbol).job(14.0, palette.text);
+    let mut job = Symbol::parse(curves.symbol).job(15.0, palette.text);
     let unit = if curves.against.0 == "t" {
         format!("  {}", curves.unit)
     } else {

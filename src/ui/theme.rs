@@ -27,6 +27,8 @@ pub struct Palette {
     pub field: Color32,
     /// Lines between things.
     pub hairline: Color32,
+    /// Rays and arcs on the pole map.
+    pub grid: Color32,
     /// Text.
     pub text: Color32,
     /// Text that explains.
@@ -68,6 +70,7 @@ const LIGHT: Palette = Palette {
     pane: Color32::WHITE,
     field: Color32::from_rgb(0xf6, 0xf8, 0xfa),
     hairline: Color32::from_rgb(0xdc, 0xe3, 0xea),
+    grid: Color32::from_rgb(0xb9, 0xc8, 0xcc),
     text: Color32::from_rgb(0x1f, 0x2d, 0x3a),
     weak: Color32::from_rgb(0x5b, 0x68, 0x76),
     strong: Color32::from_rgb(0x22, 0x30, 0x3c),
@@ -95,6 +98,7 @@ const DARK: Palette = Palette {
     pane: Color32::from_rgb(0x16, 0x1c, 0x23),
     field: Color32::from_rgb(0x1e, 0x26, 0x2f),
     hairline: Color32::from_rgb(0x2c, 0x36, 0x41),
+    grid: Color32::from_rgb(0x3a, 0x4b, 0x4f),
     text: Color32::from_rgb(0xe4, 0xea, 0xf0),
     weak: Color32::from_rgb(0x9a, 0xa8, 0xb6),
     strong: Color32::from_rgb(0xd6, 0xe1, 0xec),
