@@ -22,6 +22,7 @@ pub mod inputs;
 pub mod linear;
 pub mod modes;
 pub mod naming;
+pub mod plane;
 pub mod response;
 mod schur;
 pub mod static_stability;
