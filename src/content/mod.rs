@@ -1,11 +1,16 @@
-//! The aircraft that ship with the page: read from TOML in the source's own unit of length, converted once to SI.
+//! The aircraft that ship with the page: read from TOML in the source's own units, converted once to SI.
 
 pub mod aircraft;
+mod aircraft_file;
+mod airframe_file;
+mod published;
+mod reader;
+mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};
 
 /// The files in the order of the chooser. To add an aircraft, add its file and its line.
-const FILES: [(&str, &str); 3] = [
+pub const FILES: [(&str, &str); 3] = [
     ("navion.toml", include_str!("../../assets/aircraft/navion.toml")),
     ("lesson.toml", include_str!("../../assets/aircraft/lesson.toml")),
     ("lesson-printed.toml", include_str!("../../assets/aircraft/lesson-printed.toml")),

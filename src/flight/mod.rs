@@ -17,8 +17,14 @@
 //! cannot show.
 
 pub mod analysis;
+pub mod atmosphere;
+pub mod axes;
+pub mod coefficients;
+pub mod condition;
+pub mod derivatives;
 pub mod eigen;
 pub mod inputs;
+pub mod knobs;
 pub mod linear;
 pub mod modes;
 pub mod naming;
@@ -26,5 +32,6 @@ pub mod plane;
 pub mod response;
 mod schur;
 pub mod static_stability;
+pub mod study;
 
 pub use analysis::{Analysis, AnalysisError, Channel, Experiment, analyse};
