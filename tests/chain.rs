@@ -145,7 +145,8 @@ fn polynomial(a: &Matrix4<f64>) -> [f64; 4] {
     c[0] = Complex::from(1.0);
     for (n, value) in eigen(a).expect("it solves").values.iter().enumerate() {
         for k in (1..=n + 1).rev() {
-            c[k] = c[k] - value * c[k - 1];
+            let before = c[k - 1];
+            c[k] -= value * before;
         }
     }
     [1, 2, 3, 4].map(|k| c[k].re)
@@ -228,20 +229,21 @@ fn every_matrix_agrees_with_the_independent_one() {
             [(models.longitudinal, &reference.longitudinal), (models.lateral, &reference.lateral)]
         {
             let model = model.expect("both planes");
-            let a = reference.a_si.unwrap_or(reference.a);
+            let rows = reference.a_si.unwrap_or(reference.a);
+            let a = Matrix4::from_fn(|i, j| rows[i][j]);
             let is_us = reference.a_si.is_none();
             if is_us {
                 continue; // Nelson's lateral matrix is given in feet only; the eigenvalues cover it
             }
             for i in 0..4 {
                 for j in 0..4 {
-                    let (got, want) = (model.a[(i, j)], a[i][j]);
+                    let (got, want) = (model.a[(i, j)], a[(i, j)]);
                     // entries that are zero in level flight may differ by the last bit of a sine
                     let allowed = tolerance(key) * want.abs() + 1e-9;
                     assert!((got - want).abs() <= allowed, "{key} A[{i}][{j}]: {got} should be {want}");
                 }
             }
-            let us = reference.b[1][0].abs() > 0.0 && reference.a[1][2] != a[1][2];
+            let us = reference.b[1][0].abs() > 0.0 && reference.a[1][2] != a[(1, 2)];
             for (i, row) in reference.b.iter().enumerate() {
                 for (j, &printed) in row.iter().enumerate().filter(|_| us) {
                     let want = if i < lengths(&model) { printed * FT } else { printed };
@@ -302,7 +304,8 @@ fn stability_axes_are_those_of_the_independent_transform() {
                     let unit = if i < n { FT } else { 1.0 } / if j < n { FT } else { 1.0 };
                     let (got, want) = (model.a[(i, j)], want[i][j] * unit);
                     assert!(
-                        (got - want).abs() <= 1e-6 * want.abs() + 1e-8,
+                        // 8 digits of entries up to 900 ft/s, which the turn cancels
+                        (got - want).abs() <= 1e-6 * want.abs() + 1e-6,
                         "{} A[{i}][{j}]: {got} should be {want}",
                         reference.key
                     );

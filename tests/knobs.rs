@@ -1,5 +1,7 @@
 //! Steady flight and the knobs: the identity at the reference, the right physics beside it, a sentence where it ends.
 
+use std::sync::LazyLock;
+
 use eigenwing::content::embedded_aircraft;
 use eigenwing::flight::atmosphere::standard_air;
 use eigenwing::flight::coefficients::{
@@ -13,14 +15,14 @@ use eigenwing::flight::study::{CoefficientStudy, Models, Study, StudyError};
 use proptest::prelude::*;
 
 fn all() -> Vec<(String, CoefficientStudy)> {
-    let (aircraft, _) = embedded_aircraft();
-    aircraft
-        .into_iter()
-        .filter_map(|one| match one.study {
+    static READ: LazyLock<Vec<(String, CoefficientStudy)>> = LazyLock::new(|| {
+        let from_coefficients = |one: eigenwing::content::Aircraft| match one.study {
             Study::Coefficients(study) => Some((one.key, study)),
             _ => None,
-        })
-        .collect()
+        };
+        embedded_aircraft().0.into_iter().filter_map(from_coefficients).collect()
+    });
+    READ.clone()
 }
 
 fn study(key: &str) -> CoefficientStudy {

@@ -87,7 +87,7 @@ fn the_citations_lateral_constants_disagree_with_its_quoted_eigenvalues() {
 }
 
 #[test]
-fn every_issue_case_ships_with_its_status() {
+fn every_needed_aircraft_ships_with_its_status() {
     for (key, verified) in [
         ("navion", true),
         ("b747-approach", true),

@@ -36,16 +36,17 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let class = file.optional_choice("class", &Class::NAMES)?;
     let phase = file.optional_choice("phase", &Phase::NAMES)?;
     let source = file.text("source")?;
-    let notes = file.optional_text("note")?.into_iter().collect();
+    let mut notes = Vec::from_iter(file.optional_text("note")?);
 
     let mut longitudinal = file.block("longitudinal")?;
     let mut lateral = file.optional_block("lateral")?;
     let longitudinal_notes = read_notes(&mut longitudinal, &source)?;
     let lateral_notes = lateral.as_mut().map(|block| read_notes(block, &source)).transpose()?;
-    let (study, particulars) = match basis {
+    let (study, particulars, data_notes) = match basis {
         Basis::Coefficients => coefficient_study(file, units, &mut longitudinal, lateral.as_mut())?,
         Basis::Derivatives => derivative_study(file, units, &mut longitudinal, lateral.as_mut())?,
     };
+    notes.extend(data_notes);
     longitudinal.finish()?;
     lateral.as_ref().map_or(Ok(()), Block::finish)?;
 
@@ -62,7 +63,7 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         condition,
         length_unit: LengthUnit::Metre,
         status: if verified { Status::Verified } else { Status::Unverified },
-        status_reason: planes().map(|plane| plane.status_reason.as_str()).collect::<Vec<_>>().join(" "),
+        status_reason: joined(planes().map(|plane| plane.status_reason.as_str())),
         source,
         longitudinal: with_elevator(&model),
         study,
@@ -73,6 +74,13 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         phase,
         notes,
     })
+}
+
+/// The sentences one after the other, each once.
+fn joined<'t>(sentences: impl Iterator<Item = &'t str>) -> String {
+    let mut all: Vec<&str> = sentences.collect();
+    all.dedup();
+    all.join(" ")
 }
 
 /// A key goes into links: small letters, digits and hyphens.

@@ -85,7 +85,7 @@ pub(super) fn coefficient_study(
     units: UnitSystem,
     longitudinal: &mut Block<'_>,
     lateral: Option<&mut Block<'_>>,
-) -> Result<(Study, Particulars), ContentError> {
+) -> Result<(Study, Particulars, Vec<String>), ContentError> {
     file.choice("axes", &[("stability", ())])?;
     let per_half_time = file.choice("rates", &RATES)?;
     let flight = read_flight(file, units)?;
@@ -113,8 +113,8 @@ pub(super) fn coefficient_study(
         tail: read_tail(&mut block, length)?,
         fin: read_fin(&mut block, length)?,
     };
-    block.optional_text("source")?;
-    block.optional_text("geometry_source")?;
+    let mut notes = Vec::from_iter(block.optional_text("source")?);
+    notes.extend(block.optional_text("geometry_source")?);
     block.finish()?;
     if let Some((key, problem)) = airframe.problem() {
         return Err(block.error(key, problem));
@@ -148,7 +148,8 @@ pub(super) fn coefficient_study(
         mass,
         gravity: flight.gravity,
     };
-    let validity = read_validity(file, reference.mach(), l.cl)?;
+    let (validity, source) = read_validity(file, reference.mach(), l.cl)?;
+    notes.push(source);
     let particulars = Particulars {
         mass: Some(mass),
         wing_area: Some(airframe.s),
@@ -159,7 +160,7 @@ pub(super) fn coefficient_study(
         mach: Some(reference.mach()),
     };
     let study = CoefficientStudy::new(airframe, reference, validity, coefficients);
-    Ok((Study::Coefficients(study), particulars))
+    Ok((Study::Coefficients(study), particulars, notes))
 }
 
 /// C_L must carry the weight: W cos γ₀/(q̄S) to 5 %, room for the source's rounding.
@@ -200,7 +201,7 @@ fn read_fin(airframe: &mut Block<'_>, length: f64) -> Result<Option<Fin>, Conten
     Ok(Some(fin))
 }
 
-fn read_validity(file: &mut Block<'_>, mach: f64, cl: f64) -> Result<Validity, ContentError> {
+fn read_validity(file: &mut Block<'_>, mach: f64, cl: f64) -> Result<(Validity, String), ContentError> {
     let mut block = file.block("validity")?;
     let [mach_min, mach_max] = block.row::<2>("mach")?;
     if !(mach_min..=mach_max).contains(&mach) {
@@ -211,9 +212,9 @@ fn read_validity(file: &mut Block<'_>, mach: f64, cl: f64) -> Result<Validity, C
     if cl > cl_max {
         return Err(block.error("CL_max", format_args!("expected more than the flight's own C_L {cl}")));
     }
-    block.text("source")?;
+    let source = block.text("source")?;
     block.finish()?;
-    Ok(Validity { cl_max, mach_min, mach_max })
+    Ok((Validity { cl_max, mach_min, mach_max }, source))
 }
 
 /// Each number of a table of fields, times its factor to SI.
@@ -239,7 +240,7 @@ pub(super) fn derivative_study(
     units: UnitSystem,
     longitudinal: &mut Block<'_>,
     lateral: Option<&mut Block<'_>>,
-) -> Result<(Study, Particulars), ContentError> {
+) -> Result<(Study, Particulars, Vec<String>), ContentError> {
     let axes = file.choice("axes", &AXES)?;
     let flight = read_flight(file, units)?;
     let FlightCondition { altitude, speed, gamma0 } = flight.condition;
@@ -255,7 +256,7 @@ pub(super) fn derivative_study(
         mach: flight.mach,
     };
     let inertia = read_inertia(&mut block, units)?;
-    block.optional_text("source")?;
+    let notes = Vec::from_iter(block.optional_text("source")?);
     block.finish()?;
     // Turn the inertia into the axes of the derivatives.
     let inertia = inertia.map(|(inertia, given)| match (given, axes) {
@@ -277,7 +278,7 @@ pub(super) fn derivative_study(
     }
     let lateral = lateral.map(|block| read_lateral(block, length, speed, inertia)).transpose()?;
     let trim = Trim { speed, alpha0, gamma0, gravity: flight.gravity };
-    Ok((Study::Derivatives(DerivativeStudy { trim, longitudinal: Some(d), lateral }), particulars))
+    Ok((Study::Derivatives(DerivativeStudy { trim, longitudinal: Some(d), lateral }), particulars, notes))
 }
 
 /// Ix, Iz and Ixz with their axes: all or none.

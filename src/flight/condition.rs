@@ -135,11 +135,6 @@ pub fn steady_flight(
     let density_ratio = air.density / air0.density;
     let speed_ratio = speed / reference.condition.speed;
     let density = reference.density * density_ratio;
-    let mach = speed / (reference.sound_speed * (air.sound_speed / air0.sound_speed));
-    if !(validity.mach_min..=validity.mach_max).contains(&mach) {
-        let Validity { mach_min, mach_max, .. } = *validity;
-        return Err(ConditionError::Mach { mach, mach_min, mach_max });
-    }
     // C_L/C_L₀ = (m/m₀)(cos γ/cos γ₀)/((ρ/ρ₀)(V/V₀)²)
     let c = &coefficients.longitudinal;
     let weight_ratio = airframe.mass / reference.mass;
@@ -147,6 +142,11 @@ pub fn steady_flight(
     let cl = c.cl * (weight_ratio * path_ratio / (density_ratio * speed_ratio * speed_ratio));
     if cl.is_nan() || cl > validity.cl_max {
         return Err(ConditionError::Stall { needed: cl, cl_max: validity.cl_max, speed });
+    }
+    let mach = speed / (reference.sound_speed * (air.sound_speed / air0.sound_speed));
+    if !(validity.mach_min..=validity.mach_max).contains(&mach) {
+        let Validity { mach_min, mach_max, .. } = *validity;
+        return Err(ConditionError::Mach { mach, mach_min, mach_max });
     }
     // C_Lα Δα + C_L_M ΔM = ΔC_L
     let lift_by_alpha = (cl - c.cl) - c.cl_m * (mach - reference.mach());
