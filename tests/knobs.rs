@@ -186,7 +186,7 @@ fn at_the_neutral_point_pitch_stiffness_and_with_it_the_determinant_vanish() {
     }
 }
 
-/// A lone tail of lift slope a on an arm l has C_Lα = a, Cm_α = −a l, C_Lq = 2al, Cm_q = −2al² (Nelson, Table 3.3): the
+/// A lone tail of lift slope a on an arm l has C_Lα = a, Cm_α = −a l, C_Lq = 2al, Cm_q = −2al² (Nelson, ch. 3): the
 /// rigid transfer must give the same with the shorter arm.
 #[test]
 fn moving_the_centre_of_gravity_of_a_lone_tail_shortens_its_arm() {

@@ -1,7 +1,7 @@
 //! Dimensional derivatives: forces over mass and moments over inertia for a unit of each state or input, SI.
 //!
 //! The names are those of McRuer, Ashkenas & Graham, *Aircraft Dynamics and Automatic Control* (1973), and Nelson,
-//! *Flight Stability and Automatic Control*, 2nd ed., Tables 3.5 and 5.1. Axes are those of the trim they are used
+//! *Flight Stability and Automatic Control*, 2nd ed., ch. 3. Axes are those of the trim they are used
 //! with: body axes where its α₀ is not zero.
 
 use nalgebra::{Matrix4, Matrix4x2};
@@ -149,7 +149,7 @@ pub const LATERAL_DERIVATIVES: [DimensionalField<LateralDerivatives>; 15] = [
 ];
 
 impl LongitudinalDerivatives {
-    /// From coefficients in stability axes (Nelson, Table 3.5; McRuer, Ashkenas & Graham, §4-6; thrust terms after
+    /// From coefficients in stability axes (Nelson, ch. 3; McRuer, Ashkenas & Graham, ch. 4; thrust terms after
     /// Etkin & Reid, ch. 5, to first order in the thrust line's offset).
     pub fn from_coefficients(
         c: &LongitudinalCoefficients,
@@ -203,7 +203,7 @@ impl LongitudinalDerivatives {
 }
 
 impl LateralDerivatives {
-    /// From coefficients in stability axes with the inertia in the same axes (Nelson, Table 5.1).
+    /// From coefficients in stability axes with the inertia in the same axes (Nelson, ch. 3).
     pub fn from_coefficients(
         c: &LateralCoefficients,
         airframe: &Airframe,
@@ -246,7 +246,7 @@ impl LateralDerivatives {
     }
 
     /// The same with primed L′ and N′: L′ = (L + (Ixz/Ix) N) G, N′ = (N + (Ixz/Iz) L) G, G = 1/(1 − Ixz²/(Ix Iz))
-    /// (McRuer, Ashkenas & Graham, §4-5).
+    /// (McRuer, Ashkenas & Graham, ch. 4).
     pub fn primed(&self) -> Self {
         self.mixed(1.0, 1.0 / (1.0 - self.ixz_over_ix * self.ixz_over_iz))
     }
@@ -271,7 +271,7 @@ impl LateralDerivatives {
     }
 }
 
-/// ẋ = A x + B δ, x = \[u, w, q, θ\], δ = \[δe, δt\] (McRuer, Ashkenas & Graham, §4-6, with the ẇ terms solved).
+/// ẋ = A x + B δ, x = \[u, w, q, θ\], δ = \[δe, δt\] (McRuer, Ashkenas & Graham, ch. 4, with the ẇ terms solved).
 ///
 /// ```text
 ///     ⎡ Xu            Xw            Xq − W₀             −g cos θ₀      ⎤
@@ -305,7 +305,7 @@ pub fn longitudinal_model(d: &LongitudinalDerivatives, trim: &Trim) -> PlaneMode
     PlaneModel { plane: Plane::Longitudinal, a, b, trim: *trim }
 }
 
-/// ẋ = A x + B δ, x = \[v, p, r, φ\], δ = \[δa, δr\] (McRuer, Ashkenas & Graham, §4-6; primes as in
+/// ẋ = A x + B δ, x = \[v, p, r, φ\], δ = \[δa, δr\] (McRuer, Ashkenas & Graham, ch. 4; primes as in
 /// [`LateralDerivatives::primed`]).
 ///
 /// ```text

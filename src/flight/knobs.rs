@@ -140,7 +140,7 @@ impl Knob {
                  (Etkin & Reid §2.3), Cm_q and C_Lq with α = α′ + q Δx/V, Cn and CY alike. Inertias stay."
             }
             Self::Tail => {
-                "Tail parts of the derivatives (Nelson, Tables 3.3 and 3.5): Cm_q = −2.2 η a_t V_H l_t/c̄, \
+                "Tail parts of the derivatives (Nelson, ch. 3): Cm_q = −2.2 η a_t V_H l_t/c̄, \
                  Cm_α̇ = −2 η a_t V_H (l_t/c̄) dε/dα, Cm_α = −η a_t V_H (1 − dε/dα); η a_t and dε/dα from the \
                  aircraft's own Cm_q and Cm_α̇. The tail's own mass and drag are left out."
             }
@@ -150,8 +150,7 @@ impl Knob {
                  The fin's own mass and drag are left out."
             }
             Self::Dihedral => {
-                "Cl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing (Perkins & Hage 1949, ch. 9; \
-                 Nelson §3.6)."
+                "Cl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing (as in Perkins & Hage 1949)."
             }
         }
     }
