@@ -224,6 +224,18 @@ fn a_malformed_file_names_file_line_field_and_what_was_expected() {
 }
 
 #[test]
+fn numbers_may_be_written_in_any_way_that_toml_has() {
+    let text = text_of("b747-approach.toml");
+    let other = text
+        .replace("weight = 564032.0", "weight = 564_032")
+        .replace("Ix = 14300000.0", "Ix = +14.3e6")
+        .replace("S = 5500.0", "S = 0x157C");
+    assert_ne!(text, other);
+    let (a, b) = (Aircraft::from_toml("a", text), Aircraft::from_toml("b", &other));
+    assert_eq!(a.expect("it reads"), b.expect("it reads too"));
+}
+
+#[test]
 fn bad_toml_is_an_error_with_its_line() {
     let error = Aircraft::from_toml("mine.toml", "key = \"x\"\nname = = 3\n").expect_err("not TOML");
     assert_eq!((error.file.as_str(), error.line), ("mine.toml", 2));

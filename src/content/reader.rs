@@ -62,7 +62,7 @@ const fn kind(value: &DeValue<'_>) -> &'static str {
 
 fn as_number(value: &DeValue<'_>) -> Option<f64> {
     match value {
-        DeValue::Integer(i) if i.radix() == 10 => i.as_str().parse().ok(),
+        DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix()).ok().map(|i| i as f64),
         DeValue::Float(x) => x.as_str().parse().ok(),
         _ => None,
     }
