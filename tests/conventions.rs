@@ -1,46 +1,113 @@
-//! One sign a test: what a pilot would feel.
+//! One test a sign, over every aircraft that ships.
 
-use std::sync::Arc;
+use eigenwing::content::{Aircraft, embedded_aircraft};
+use eigenwing::flight::axes::to_stability_axes;
+use eigenwing::flight::plane::PlaneModel;
+use eigenwing::flight::study::Study;
 
-use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::linear::Longitudinal;
-use eigenwing::scenario::{DisturbanceKind, START, Scenario};
-use nalgebra::Vector4;
-
-/// The Navion's state a tenth of a second into a disturbance, when only the first push is felt.
-fn first_push(kind: DisturbanceKind) -> Vector4<f64> {
+fn models() -> Vec<(String, PlaneModel, Option<PlaneModel>)> {
     let (aircraft, _) = embedded_aircraft();
-    let mut scenario = Scenario::new(Arc::new(aircraft.into_iter().next().expect("an aircraft")));
-    scenario.disturbance.kind = kind;
-    scenario.disturbance.duration = 12.0;
-    let response = scenario.analyse().expect("an analysis").response;
-    response.states[((START + 0.1) / response.dt).round() as usize]
+    let of = |one: Aircraft| {
+        let models = one.study.models().expect("it has a steady flight");
+        (one.key, models.longitudinal.expect("longitudinal"), models.lateral)
+    };
+    aircraft.into_iter().map(of).collect()
+}
+
+fn lateral() -> Vec<(String, PlaneModel)> {
+    models().into_iter().filter_map(|(key, _, lateral)| Some((key, lateral?))).collect()
 }
 
 #[test]
-fn trailing_edge_down_lowers_the_nose() {
-    let x = first_push(DisturbanceKind::ElevatorStep);
-    assert!(x[Longitudinal::Q.index()] < 0.0 && x[Longitudinal::Theta.index()] < 0.0);
+fn trailing_edge_down_pitches_the_nose_down_and_lifts() {
+    for (key, model, _) in models() {
+        assert!(model.b[(2, 0)] < 0.0, "{key}: M_δe");
+        // the F.2B's report has no Z_δe
+        assert!(model.b[(1, 0)] < 0.0 || key == "bristol-f2b", "{key}: Z_δe");
+    }
 }
 
 #[test]
-fn rising_air_lifts_the_aircraft_and_a_stable_one_noses_down_into_it() {
-    let x = first_push(DisturbanceKind::VerticalGust);
-    // z points down: rising is w < 0.
-    assert!(x[Longitudinal::W.index()] < 0.0);
-    assert!(x[Longitudinal::Q.index()] < 0.0);
+fn more_throttle_pushes_forward() {
+    for (key, model, _) in models().into_iter().filter(|(key, ..)| !key.starts_with("lesson")) {
+        assert!(model.b[(0, 1)] > 0.0, "{key}: X_δt");
+    }
 }
 
-/// A gust that lasts is the same as flying with w = −w_g: when all has settled the aircraft moves with the air.
 #[test]
-fn in_steadily_rising_air_the_aircraft_ends_up_rising_with_it() {
+fn faster_brakes_along_the_flight_path() {
+    for (key, model, _) in models() {
+        // in body axes the 747's Xu at Mach 0.7 is positive: part of its Zu
+        assert!(to_stability_axes(&model).a[(0, 0)] < 0.0, "{key}: Xu");
+    }
+}
+
+#[test]
+fn pitch_rate_and_heave_are_damped() {
+    for (key, model, _) in models() {
+        assert!(model.a[(2, 2)] < 0.0 && model.a[(1, 1)] < 0.0, "{key}: Mq and Zw");
+    }
+}
+
+#[test]
+fn nose_up_turns_gravity_backward() {
+    for (key, model, _) in models() {
+        assert!(model.a[(0, 3)] < 0.0, "{key}: −g cos θ₀");
+    }
+}
+
+#[test]
+fn rudder_trailing_edge_left_pushes_right_and_turns_the_nose_left() {
+    for (key, model) in lateral() {
+        assert!(model.b[(2, 1)] < 0.0 || key == "bristol-f2b", "{key}: N_δr");
+        assert!(model.b[(0, 1)] >= 0.0, "{key}: Y_δr");
+    }
+}
+
+/// The F.2B's report counts its rudder the other way.
+#[test]
+fn the_f2bs_rudder_turns_the_nose_right() {
+    let f2b = lateral().into_iter().find(|(key, _)| key == "bristol-f2b").expect("it ships").1;
+    assert!(f2b.b[(2, 1)] > 0.0);
+}
+
+#[test]
+fn positive_aileron_rolls_right_but_in_two_sources() {
+    for (key, model) in lateral() {
+        let rolls_left = key == "b747-cruise-etkin" || key == "citation";
+        assert_eq!(model.b[(1, 0)] < 0.0, rolls_left, "{key}: L_δa");
+    }
+}
+
+#[test]
+fn wind_from_the_right_rolls_left_turns_right_and_pushes_left() {
+    for (key, model) in lateral() {
+        let [y_v, l_v, n_v] = [0, 1, 2].map(|i| model.a[(i, 0)]);
+        assert!(y_v < 0.0 && l_v < 0.0 && n_v > 0.0, "{key}");
+    }
+}
+
+#[test]
+fn roll_and_yaw_are_damped() {
+    for (key, model) in lateral() {
+        assert!(model.a[(1, 1)] < 0.0 && model.a[(2, 2)] < 0.0, "{key}");
+    }
+}
+
+#[test]
+fn right_wing_down_falls_to_the_right() {
+    for (key, model) in lateral() {
+        assert!(model.a[(0, 3)] > 0.0, "{key}: g cos θ₀");
+    }
+}
+
+#[test]
+fn body_axes_have_w0_terms_and_stability_axes_none() {
     let (aircraft, _) = embedded_aircraft();
-    let mut scenario = Scenario::new(Arc::new(aircraft.into_iter().next().expect("an aircraft")));
-    scenario.disturbance.kind = DisturbanceKind::VerticalGust;
-    scenario.disturbance.duration = 300.0;
-    let response = scenario.analyse().expect("an analysis").response;
-    let end = response.states.last().expect("samples");
-    let w_gust = -scenario.disturbance.gust_speed;
-    // The phugoid has halved 7 times.
-    assert!((end[Longitudinal::W.index()] - w_gust).abs() < 0.02 * w_gust.abs(), "{end}");
+    for one in aircraft {
+        let model = one.study.models().expect("it flies").longitudinal.expect("longitudinal");
+        let w0 = model.trim.w0();
+        assert_eq!(model.a[(0, 2)], -w0 + 0.0, "{}", one.key);
+        assert!(w0 == 0.0 || matches!(one.study, Study::Derivatives(_)), "{}", one.key);
+    }
 }

@@ -1,10 +1,12 @@
 //! One aircraft in one flight condition, as its file has it.
 
-use nalgebra::{Matrix4, Vector4};
-use serde::Deserialize;
-use thiserror::Error;
+use nalgebra::Vector4;
 
-use crate::flight::linear::{Longitudinal, LongitudinalModel};
+pub use super::published::{Comparison, Published, PublishedMode, Quantity, compare};
+pub use super::reader::ContentError;
+use crate::flight::linear::LongitudinalModel;
+use crate::flight::plane::{Plane, PlaneModel};
+use crate::flight::study::Study;
 
 /// An aircraft in one flight condition.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,9 +17,9 @@ pub struct Aircraft {
     pub name: String,
     /// Flight condition in words.
     pub condition: String,
-    /// Unit of length in which its numbers are shown, that of its source.
+    /// Unit of length in which its numbers are shown.
     pub length_unit: LengthUnit,
-    /// Whether its modes were checked against published ones.
+    /// Whether the modes of every plane were checked against published ones.
     pub status: Status,
     /// Why the status is what it is, in a sentence or two.
     pub status_reason: String,
@@ -25,11 +27,91 @@ pub struct Aircraft {
     pub source: String,
     /// Its longitudinal model, SI.
     pub longitudinal: LongitudinalModel,
+    /// Everything a person may edit, at the source's values.
+    pub study: Study,
+    /// What is known of the longitudinal data.
+    pub longitudinal_notes: PlaneNotes,
+    /// What is known of the lateral data, where there are any.
+    pub lateral_notes: Option<PlaneNotes>,
+    /// Mass and geometry as far as the source has them, SI, for drawing and reading; the study computes with its own.
+    pub particulars: Particulars,
+    /// Class of MIL-F-8785C, our assignment.
+    pub class: Option<Class>,
+    /// Flight-phase category of MIL-F-8785C, our assignment.
+    pub phase: Option<Phase>,
+    /// What a reader of the source should know.
+    pub notes: Vec<String>,
+}
+
+/// What a file says of one plane of motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlaneNotes {
+    /// Whether the published modes are reproduced.
+    pub status: Status,
+    /// Why, in a sentence or two.
+    pub status_reason: String,
+    /// Where the numbers of this plane come from.
+    pub source: String,
+    /// The published modes.
+    pub published: Vec<Published>,
+}
+
+/// Mass and geometry as far as a source has them, SI.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Particulars {
+    /// Mass \[kg\].
+    pub mass: Option<f64>,
+    /// Wing area \[m²\].
+    pub wing_area: Option<f64>,
+    /// Span \[m\].
+    pub span: Option<f64>,
+    /// Mean chord \[m\].
+    pub chord: Option<f64>,
+    /// True airspeed \[m/s\].
+    pub speed: Option<f64>,
+    /// Altitude \[m\].
+    pub altitude: Option<f64>,
+    /// Mach number.
+    pub mach: Option<f64>,
+}
+
+/// Class of aircraft, MIL-F-8785C §1.3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Small and light.
+    I,
+    /// Medium weight, low to medium manoeuvrability.
+    II,
+    /// Large and heavy.
+    III,
+    /// High manoeuvrability.
+    IV,
+}
+
+impl Class {
+    /// The classes by the name that a file gives them.
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("I", Self::I), ("II", Self::II), ("III", Self::III), ("IV", Self::IV)];
+}
+
+/// Category of flight phase, MIL-F-8785C §1.4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Rapid manoeuvring, precision tracking.
+    A,
+    /// Gradual manoeuvres: climb, cruise, descent.
+    B,
+    /// Take-off, approach, landing.
+    C,
+}
+
+impl Phase {
+    /// The categories by the name that a file gives them.
+    pub const NAMES: [(&'static str, Self); 3] = [("A", Self::A), ("B", Self::B), ("C", Self::C)];
 }
 
 /// Whether an aircraft's modes were checked against published ones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// Every published number is reproduced.
     Verified,
@@ -37,18 +119,25 @@ pub enum Status {
     Unverified,
 }
 
-/// A unit of length in which an aircraft's source gives its numbers; time is in seconds, angles in radians.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+impl Status {
+    /// The two by the name that a file gives them.
+    pub const NAMES: [(&'static str, Self); 2] =
+        [("verified", Self::Verified), ("unverified", Self::Unverified)];
+}
+
+/// A unit of length in which an aircraft's numbers are shown; time is in seconds, angles in radians.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LengthUnit {
     /// Metre.
-    #[serde(rename = "m")]
     Metre,
     /// Hundred feet, the hidden unit of the lesson's matrix.
-    #[serde(rename = "100 ft")]
     HundredFeet,
 }
 
 impl LengthUnit {
+    /// The units by the name that a file gives them.
+    pub const NAMES: [(&'static str, Self); 2] = [("m", Self::Metre), ("100 ft", Self::HundredFeet)];
+
     /// One of this unit in metres.
     pub const fn metres(self) -> f64 {
         match self {
@@ -67,95 +156,23 @@ impl LengthUnit {
     }
 }
 
-/// A file that could not be read as an aircraft.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{file}, line {line}: {problem}")]
-pub struct ContentError {
-    /// Name of the file.
-    pub file: String,
-    /// Line, counted from 1.
-    pub line: usize,
-    /// What is wrong and what was expected.
-    pub problem: String,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct AircraftFile {
-    key: String,
-    name: String,
-    condition: String,
-    length_unit: LengthUnit,
-    status: Status,
-    status_reason: String,
-    source: String,
-    longitudinal: LongitudinalFile,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LongitudinalFile {
-    u0: f64,
-    a: [[f64; 4]; 4],
-    b_elevator: [f64; 4],
-}
-
 impl Aircraft {
     /// Reads one aircraft from TOML text and converts it to SI; `file` is its name for messages.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, ContentError> {
-        let read: AircraftFile = toml::from_str(text).map_err(|error| ContentError {
-            file: file.to_owned(),
-            line: error.span().map_or(1, |span| line_of(text, span.start)),
-            problem: error.message().to_owned(),
-        })?;
-        let longitudinal =
-            read.longitudinal.to_si(read.length_unit).map_err(|(field, problem)| ContentError {
-                file: file.to_owned(),
-                line: text.lines().position(|line| line.trim_start().starts_with(field)).map_or(1, |i| i + 1),
-                problem,
-            })?;
-        Ok(Self {
-            key: read.key,
-            name: read.name,
-            condition: read.condition,
-            length_unit: read.length_unit,
-            status: read.status,
-            status_reason: read.status_reason,
-            source: read.source,
-            longitudinal,
-        })
+        super::reader::with_file(file, text, super::aircraft_file::read)
+    }
+
+    /// What is known of the data of a plane.
+    pub fn notes_of(&self, plane: Plane) -> Option<&PlaneNotes> {
+        match plane {
+            Plane::Longitudinal => Some(&self.longitudinal_notes),
+            Plane::Lateral => self.lateral_notes.as_ref(),
+        }
     }
 }
 
-impl LongitudinalFile {
-    /// A_SI = T A T⁻¹, B_SI = T B with T = diag(l, l, 1, 1) and l the unit of length in metres.
-    ///
-    /// An error is the field and a sentence.
-    fn to_si(&self, unit: LengthUnit) -> Result<LongitudinalModel, (&'static str, String)> {
-        let numbers = self.a.iter().flatten().chain(&self.b_elevator);
-        if let Some(number) = numbers.copied().find(|x| !x.is_finite()) {
-            return Err(("a", format!("every entry of A and B must be a finite number, not {number}")));
-        }
-        if !(self.u0.is_finite() && self.u0 > 0.0) {
-            return Err(("u0", format!("the trim speed u0 must be a positive number, not {}", self.u0)));
-        }
-        let theta = Longitudinal::Theta.index();
-        if self.a[theta] != [0.0, 0.0, 1.0, 0.0] {
-            return Err((
-                "a",
-                "the last row of A must be 0, 0, 1, 0: pitch rate is the rate of pitch angle".to_owned(),
-            ));
-        }
-        let l = unit.metres();
-        let scale = Vector4::new(l, l, 1.0, 1.0);
-        Ok(LongitudinalModel {
-            a: Matrix4::from_fn(|i, j| self.a[i][j] * (scale[i] / scale[j])),
-            b_elevator: Vector4::from(self.b_elevator).component_mul(&scale),
-            u0: self.u0 * l,
-        })
-    }
-}
-
-fn line_of(text: &str, offset: usize) -> usize {
-    text.bytes().take(offset).filter(|&byte| byte == b'\n').count() + 1
+/// The longitudinal model with the elevator alone.
+pub(super) fn with_elevator(model: &PlaneModel) -> LongitudinalModel {
+    let b_elevator: Vector4<f64> = model.b.column(0).into_owned();
+    LongitudinalModel { a: model.a, b_elevator, u0: model.trim.u0() }
 }

@@ -10,20 +10,34 @@
 //! | *w* | perturbation of velocity along *z* \[m/s\], downward positive; α ≈ w/U₀ |
 //! | *q* | pitch rate \[rad/s\], nose-up positive |
 //! | *θ* | pitch angle \[rad\], nose-up positive |
+//! | *v* | perturbation of velocity along *y* \[m/s\], to the right positive; β ≈ v/V |
+//! | *p*, *r* | roll rate and yaw rate \[rad/s\], right wing down and nose right positive |
+//! | *φ* | bank angle \[rad\], right wing down positive |
 //! | *δe* | elevator \[rad\], trailing edge down positive; it pitches the nose down, so M_δe < 0 |
+//! | *δt* | throttle: more thrust, as a fraction of the weight where a source says nothing of its engine |
+//! | *δr* | rudder \[rad\], trailing edge left positive; it turns the nose left, so N_δr < 0 |
+//! | *δa* | aileron \[rad\], in the sense of the source: see the sign of L_δa |
 //! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
 //!
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
 //! cannot show.
 
 pub mod analysis;
+pub mod atmosphere;
+pub mod axes;
+pub mod coefficients;
+pub mod condition;
+pub mod derivatives;
 pub mod eigen;
 pub mod inputs;
+pub mod knobs;
 pub mod linear;
 pub mod modes;
 pub mod naming;
+pub mod plane;
 pub mod response;
 mod schur;
 pub mod static_stability;
+pub mod study;
 
 pub use analysis::{Analysis, AnalysisError, Channel, Experiment, analyse};

@@ -1,0 +1,159 @@
+//! The form of an aircraft file: figures as printed in the source, in its units, converted here once to SI.
+
+use nalgebra::{Matrix4, Matrix4x2, Vector4};
+
+use super::aircraft::{Aircraft, Class, LengthUnit, Particulars, Phase, PlaneNotes, Status, with_elevator};
+use super::airframe_file::{coefficient_study, derivative_study};
+use super::published::read_published;
+use super::reader::{Block, ContentError};
+use super::units::UnitSystem;
+use crate::flight::analysis::STANDARD_GRAVITY;
+use crate::flight::plane::{Plane, PlaneModel, Trim};
+use crate::flight::study::{MatrixStudy, Study};
+
+/// What a file starts from.
+#[derive(Clone, Copy)]
+enum Basis {
+    Coefficients,
+    Derivatives,
+}
+
+const BASES: [(&str, Basis); 2] =
+    [("coefficients", Basis::Coefficients), ("derivatives", Basis::Derivatives)];
+
+/// An aircraft from its file. A file with `length_unit` is one of bare matrices; others say their `basis`.
+pub(super) fn read(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
+    let aircraft = if file.has("length_unit") { read_matrices(file)? } else { read_data(file)? };
+    file.finish()?;
+    Ok(aircraft)
+}
+
+fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
+    let (key, name, condition) = (read_key(file)?, file.text("name")?, file.text("condition")?);
+    let basis = file.choice("basis", &BASES)?;
+    let units = file.choice("units", &UnitSystem::NAMES)?;
+    file.choice("angles", &[("rad", ())])?;
+    let class = file.optional_choice("class", &Class::NAMES)?;
+    let phase = file.optional_choice("phase", &Phase::NAMES)?;
+    let source = file.text("source")?;
+    let mut notes = Vec::from_iter(file.optional_text("note")?);
+
+    let mut longitudinal = file.block("longitudinal")?;
+    let mut lateral = file.optional_block("lateral")?;
+    let longitudinal_notes = read_notes(&mut longitudinal, &source)?;
+    let lateral_notes = lateral.as_mut().map(|block| read_notes(block, &source)).transpose()?;
+    let (study, particulars, data_notes) = match basis {
+        Basis::Coefficients => coefficient_study(file, units, &mut longitudinal, lateral.as_mut())?,
+        Basis::Derivatives => derivative_study(file, units, &mut longitudinal, lateral.as_mut())?,
+    };
+    notes.extend(data_notes);
+    longitudinal.finish()?;
+    lateral.as_ref().map_or(Ok(()), Block::finish)?;
+
+    let models = study.models().map_err(|problem| longitudinal.error_here(problem))?;
+    if let Some(problem) = models.problems.first() {
+        return Err(file.error_here(problem));
+    }
+    let model = models.longitudinal.ok_or_else(|| longitudinal.error_here("no model follows from it"))?;
+    let planes = || [Some(&longitudinal_notes), lateral_notes.as_ref()].into_iter().flatten();
+    let verified = planes().all(|plane| plane.status == Status::Verified);
+    Ok(Aircraft {
+        key,
+        name,
+        condition,
+        length_unit: LengthUnit::Metre,
+        status: if verified { Status::Verified } else { Status::Unverified },
+        status_reason: joined(planes().map(|plane| plane.status_reason.as_str())),
+        source,
+        longitudinal: with_elevator(&model),
+        study,
+        longitudinal_notes,
+        lateral_notes,
+        particulars,
+        class,
+        phase,
+        notes,
+    })
+}
+
+/// The sentences one after the other, each once.
+fn joined<'t>(sentences: impl Iterator<Item = &'t str>) -> String {
+    let mut all: Vec<&str> = sentences.collect();
+    all.dedup();
+    all.join(" ")
+}
+
+/// A key goes into links: small letters, digits and hyphens.
+fn read_key(file: &mut Block<'_>) -> Result<String, ContentError> {
+    let key = file.text("key")?;
+    if key.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-') {
+        Ok(key)
+    } else {
+        Err(file.error("key", format_args!("expected small letters, digits and hyphens, found \"{key}\"")))
+    }
+}
+
+fn read_notes(block: &mut Block<'_>, file_source: &str) -> Result<PlaneNotes, ContentError> {
+    let notes = PlaneNotes {
+        status: block.choice("status", &Status::NAMES)?,
+        status_reason: block.text("status_reason")?,
+        source: block.optional_text("source")?.unwrap_or_else(|| file_source.to_owned()),
+        published: read_published(block)?,
+    };
+    if notes.status == Status::Verified && notes.published.is_empty() {
+        return Err(block.error("status", "\"verified\" needs published modes to be verified by, found none"));
+    }
+    Ok(notes)
+}
+
+/// The lesson's form: A and the elevator column in a unit of length of their own.
+fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
+    let length_unit = file.choice("length_unit", &LengthUnit::NAMES)?;
+    let (key, name, condition) = (read_key(file)?, file.text("name")?, file.text("condition")?);
+    let (status, status_reason) = (file.choice("status", &Status::NAMES)?, file.text("status_reason")?);
+    let source = file.text("source")?;
+    let mut block = file.block("longitudinal")?;
+    let (u0, a, b) = (block.positive("u0")?, block.matrix("a")?, block.row::<4>("b_elevator")?);
+    if a[3] != [0.0, 0.0, 1.0, 0.0] {
+        let text = "the last row of A must be 0, 0, 1, 0: pitch rate is the rate of pitch angle";
+        return Err(block.error("a", text));
+    }
+    block.finish()?;
+    // A_SI = T A T⁻¹, B_SI = T B with T = diag(l, l, 1, 1) and l the unit of length in metres
+    let l = length_unit.metres();
+    let scale = Vector4::new(l, l, 1.0, 1.0);
+    let a = Matrix4::from_fn(|i, j| a[i][j] * (scale[i] / scale[j]));
+    let b_elevator = Vector4::from(b).component_mul(&scale);
+    let b = Matrix4x2::from_columns(&[b_elevator, Vector4::zeros()]);
+    let trim = Trim { speed: u0 * l, alpha0: 0.0, gamma0: 0.0, gravity: STANDARD_GRAVITY };
+    let model = PlaneModel { plane: Plane::Longitudinal, a, b, trim };
+    if let Some(problem) = (Study::Matrices(MatrixStudy { longitudinal: Some(model.clone()), lateral: None }))
+        .models()
+        .ok()
+        .and_then(|models| models.problems.first().copied())
+    {
+        return Err(block.error("a", problem));
+    }
+    Ok(Aircraft {
+        key,
+        name,
+        condition,
+        length_unit,
+        status,
+        longitudinal_notes: PlaneNotes {
+            status,
+            status_reason: status_reason.clone(),
+            source: source.clone(),
+            published: Vec::new(),
+        },
+        status_reason,
+        source,
+        longitudinal: with_elevator(&model),
+        study: Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }),
+        lateral_notes: None,
+        particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },
+        class: None,
+        phase: None,
+        notes: Vec::new(),
+    })
+}

@@ -1,0 +1,278 @@
+//! What a book prints of an aircraft: its mass and geometry, and its aerodynamic coefficients without dimension.
+//!
+//! Stability axes. Rates are made dimensionless with c̄/2V (pitch) and b/2V (roll and yaw), angles are radians:
+//! Cm_q = ∂Cm/∂(q c̄/2V), Cl_p = ∂Cl/∂(p b/2V). A source that uses c̄/V prints half of these.
+
+/// Axes in which an airframe's moments of inertia are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InertiaAxes {
+    /// Body axes: the reference angle of attack turns them into stability axes.
+    Body,
+    /// Stability axes of the reference condition.
+    Stability,
+}
+
+/// Horizontal tail: area for drawing, arm for the tail-size knob.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HorizontalTail {
+    /// Area S_t \[m²\], positive.
+    pub area: f64,
+    /// Distance l_t from the reference centre of gravity aft to the tail's aerodynamic centre \[m\], positive.
+    pub arm: f64,
+}
+
+/// Fin: area for drawing, arm and height for the fin-size knob.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fin {
+    /// Area S_v \[m²\], positive.
+    pub area: f64,
+    /// Distance l_v from the reference centre of gravity aft to the fin's aerodynamic centre \[m\], positive.
+    pub arm: f64,
+    /// Height z_v of the fin's aerodynamic centre above the x axis \[m\], upward positive.
+    pub height: f64,
+}
+
+/// Mass and geometry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Airframe {
+    /// Mass m \[kg\], positive.
+    pub mass: f64,
+    /// Wing area S \[m²\], positive.
+    pub s: f64,
+    /// Mean aerodynamic chord c̄ \[m\], positive.
+    pub c: f64,
+    /// Wing span b \[m\], positive.
+    pub b: f64,
+    /// Moment of inertia in roll Ix \[kg m²\], positive.
+    pub ix: f64,
+    /// Moment of inertia in pitch Iy \[kg m²\], positive.
+    pub iy: f64,
+    /// Moment of inertia in yaw Iz \[kg m²\], positive.
+    pub iz: f64,
+    /// Product of inertia Ixz = ∫ x z dm \[kg m²\]; positive when the nose carries its mass low and the tail high.
+    pub ixz: f64,
+    /// Axes of the four above.
+    pub inertia_axes: InertiaAxes,
+    /// Thrust by which throttle δt = 1 adds to the trim thrust \[N\]. Where a source says nothing of its engine, the
+    /// reference weight, so that δt is the change of T/W.
+    pub thrust_per_throttle: f64,
+    /// n in thrust ∝ Vⁿ at a fixed throttle: 0 constant thrust (jet), −1 constant power (propeller).
+    pub thrust_exponent: f64,
+    /// Distance of the thrust line below the centre of gravity \[m\], below positive: thrust then lifts the nose.
+    pub thrust_offset: f64,
+    /// Taper ratio λ of the wing, tip chord over root chord; for the dihedral knob.
+    pub taper: Option<f64>,
+    /// Horizontal tail, where known.
+    pub tail: Option<HorizontalTail>,
+    /// Fin, where known.
+    pub fin: Option<Fin>,
+}
+
+/// Moments of inertia in the x–z plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarInertia {
+    /// Ix \[kg m²\].
+    pub ix: f64,
+    /// Iz \[kg m²\].
+    pub iz: f64,
+    /// Ixz \[kg m²\].
+    pub ixz: f64,
+}
+
+impl PlanarInertia {
+    /// In axes turned nose-down by α \[rad\] about y: from body to stability axes for the trim angle of attack α
+    /// (the tensor turned about y; Etkin & Reid, *Dynamics of Flight*, 3rd ed., ch. 4).
+    pub fn turned(&self, alpha: f64) -> Self {
+        let Self { ix, iz, ixz } = *self;
+        let (sin2, cos2) = (alpha.sin().powi(2), alpha.cos().powi(2));
+        let (sin_2a, cos_2a) = (2.0 * alpha).sin_cos();
+        Self {
+            // Ixˢ = Ix cos²α + Iz sin²α − Ixz sin 2α
+            ix: ix * cos2 + iz * sin2 - ixz * sin_2a,
+            // Izˢ = Ix sin²α + Iz cos²α + Ixz sin 2α
+            iz: ix * sin2 + iz * cos2 + ixz * sin_2a,
+            // Ixzˢ = ½ (Ix − Iz) sin 2α + Ixz cos 2α
+            ixz: 0.5 * (ix - iz) * sin_2a + ixz * cos_2a,
+        }
+    }
+}
+
+impl Airframe {
+    /// Inertia in stability axes where the body x axis stands at `alpha0` in the reference condition and at
+    /// `alpha0 + alpha_change` now \[rad\].
+    pub fn stability_inertia(&self, alpha0: f64, alpha_change: f64) -> PlanarInertia {
+        let given = PlanarInertia { ix: self.ix, iz: self.iz, ixz: self.ixz };
+        given.turned(match self.inertia_axes {
+            InertiaAxes::Body => alpha0 + alpha_change,
+            InertiaAxes::Stability => alpha_change,
+        })
+    }
+
+    /// The first thing that no airframe can have, in a sentence with its key and the number.
+    pub fn problem(&self) -> Option<(&'static str, String)> {
+        let positive = [
+            ("mass", self.mass, "the mass"),
+            ("S", self.s, "the wing area S"),
+            ("c", self.c, "the mean chord c"),
+            ("b", self.b, "the span b"),
+            ("Ix", self.ix, "the moment of inertia Ix"),
+            ("Iy", self.iy, "the moment of inertia Iy"),
+            ("Iz", self.iz, "the moment of inertia Iz"),
+        ];
+        if let Some((key, value, name)) = positive.into_iter().find(|(_, x, _)| !(x.is_finite() && *x > 0.0))
+        {
+            return Some((key, format!("{name} must be a positive number, not {value}")));
+        }
+        if !(self.ixz.is_finite() && self.ixz * self.ixz < self.ix * self.iz) {
+            let limit = (self.ix * self.iz).sqrt();
+            let text = format!(
+                "Ixz is {:.4e} kg m², but no body has |Ixz| ≥ √(Ix Iz) = {limit:.4e} kg m²",
+                self.ixz
+            );
+            return Some(("Ixz", text));
+        }
+        None
+    }
+}
+
+/// Longitudinal coefficients in one trim, stability axes, all per radian.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LongitudinalCoefficients {
+    /// Trim lift coefficient C_L.
+    pub cl: f64,
+    /// Trim drag coefficient C_D.
+    pub cd: f64,
+    /// Lift-curve slope ∂C_L/∂α, positive.
+    pub cl_alpha: f64,
+    /// ∂C_D/∂α, positive: lift costs drag.
+    pub cd_alpha: f64,
+    /// ∂Cm/∂α, negative when a nose-up departure is met by a nose-down moment.
+    pub cm_alpha: f64,
+    /// ∂C_L/∂(α̇ c̄/2V); from the downwash that reaches the tail late, positive by that source.
+    pub cl_alphadot: f64,
+    /// ∂Cm/∂(α̇ c̄/2V), negative with a tail aft.
+    pub cm_alphadot: f64,
+    /// ∂C_L/∂(q c̄/2V), positive with a tail aft.
+    pub cl_q: f64,
+    /// ∂Cm/∂(q c̄/2V), pitch damping, negative.
+    pub cm_q: f64,
+    /// ∂C_L/∂M at constant α.
+    pub cl_m: f64,
+    /// ∂C_D/∂M at constant α.
+    pub cd_m: f64,
+    /// ∂Cm/∂M at constant α; negative is tuck: faster pitches the nose down.
+    pub cm_m: f64,
+    /// ∂C_L/∂δe, trailing edge down positive, so positive.
+    pub cl_de: f64,
+    /// ∂C_D/∂δe.
+    pub cd_de: f64,
+    /// ∂Cm/∂δe, elevator power, negative: trailing edge down pitches the nose down.
+    pub cm_de: f64,
+}
+
+/// Lateral–directional coefficients in one trim, stability axes, all per radian.
+///
+/// The sense of a positive aileron is that of the source, seen in the sign of Cl_δa.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LateralCoefficients {
+    /// Side force by sideslip ∂CY/∂β, negative.
+    pub cy_beta: f64,
+    /// Dihedral effect ∂Cl/∂β, negative when sideslip to the right rolls to the left.
+    pub cl_beta: f64,
+    /// Weathercock stability ∂Cn/∂β, positive when the nose turns into the wind.
+    pub cn_beta: f64,
+    /// ∂CY/∂(p b/2V).
+    pub cy_p: f64,
+    /// Roll damping ∂Cl/∂(p b/2V), negative.
+    pub cl_p: f64,
+    /// Yaw by roll rate ∂Cn/∂(p b/2V), usually negative (adverse).
+    pub cn_p: f64,
+    /// ∂CY/∂(r b/2V), positive with a fin aft.
+    pub cy_r: f64,
+    /// Roll by yaw rate ∂Cl/∂(r b/2V), positive: the outer wing lifts more.
+    pub cl_r: f64,
+    /// Yaw damping ∂Cn/∂(r b/2V), negative.
+    pub cn_r: f64,
+    /// ∂CY/∂δa.
+    pub cy_da: f64,
+    /// Aileron power ∂Cl/∂δa.
+    pub cl_da: f64,
+    /// Adverse (or proverse) yaw ∂Cn/∂δa.
+    pub cn_da: f64,
+    /// ∂CY/∂δr, positive: rudder trailing edge left pushes the tail right.
+    pub cy_dr: f64,
+    /// ∂Cl/∂δr.
+    pub cl_dr: f64,
+    /// Rudder power ∂Cn/∂δr, negative.
+    pub cn_dr: f64,
+}
+
+/// Both planes; a source may have only the longitudinal one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficients {
+    /// Longitudinal.
+    pub longitudinal: LongitudinalCoefficients,
+    /// Lateral–directional, where the source has it.
+    pub lateral: Option<LateralCoefficients>,
+}
+
+/// One coefficient by its key: a row of the tables below.
+#[derive(Clone, Copy, Debug)]
+pub struct Field<T> {
+    /// Key in files, the book's symbol in plain letters.
+    pub key: &'static str,
+    /// Whether a source without it is of no use; others are zero where a source leaves them out.
+    pub required: bool,
+    /// The number in the structure.
+    pub of: fn(&mut T) -> &mut f64,
+}
+
+impl<T: Copy> Field<T> {
+    /// Its value.
+    pub fn get(&self, from: &T) -> f64 {
+        let mut copy = *from;
+        *(self.of)(&mut copy)
+    }
+}
+
+const fn field<T>(key: &'static str, required: bool, of: fn(&mut T) -> &mut f64) -> Field<T> {
+    Field { key, required, of }
+}
+
+/// Every longitudinal coefficient by its key.
+pub const LONGITUDINAL_COEFFICIENTS: [Field<LongitudinalCoefficients>; 15] = [
+    field("CL", true, |c| &mut c.cl),
+    field("CD", true, |c| &mut c.cd),
+    field("CL_alpha", true, |c| &mut c.cl_alpha),
+    field("CD_alpha", true, |c| &mut c.cd_alpha),
+    field("Cm_alpha", true, |c| &mut c.cm_alpha),
+    field("CL_alphadot", false, |c| &mut c.cl_alphadot),
+    field("Cm_alphadot", false, |c| &mut c.cm_alphadot),
+    field("CL_q", false, |c| &mut c.cl_q),
+    field("Cm_q", true, |c| &mut c.cm_q),
+    field("CL_M", false, |c| &mut c.cl_m),
+    field("CD_M", false, |c| &mut c.cd_m),
+    field("Cm_M", false, |c| &mut c.cm_m),
+    field("CL_de", false, |c| &mut c.cl_de),
+    field("CD_de", false, |c| &mut c.cd_de),
+    field("Cm_de", true, |c| &mut c.cm_de),
+];
+
+/// Every lateral coefficient by its key.
+pub const LATERAL_COEFFICIENTS: [Field<LateralCoefficients>; 15] = [
+    field("CY_beta", true, |c| &mut c.cy_beta),
+    field("Cl_beta", true, |c| &mut c.cl_beta),
+    field("Cn_beta", true, |c| &mut c.cn_beta),
+    field("CY_p", false, |c| &mut c.cy_p),
+    field("Cl_p", true, |c| &mut c.cl_p),
+    field("Cn_p", true, |c| &mut c.cn_p),
+    field("CY_r", false, |c| &mut c.cy_r),
+    field("Cl_r", true, |c| &mut c.cl_r),
+    field("Cn_r", true, |c| &mut c.cn_r),
+    field("CY_da", false, |c| &mut c.cy_da),
+    field("Cl_da", false, |c| &mut c.cl_da),
+    field("Cn_da", false, |c| &mut c.cn_da),
+    field("CY_dr", false, |c| &mut c.cy_dr),
+    field("Cl_dr", false, |c| &mut c.cl_dr),
+    field("Cn_dr", false, |c| &mut c.cn_dr),
+];

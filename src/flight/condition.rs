@@ -1,0 +1,198 @@
+//! Steady flight: how fast, how high, how steep, and what lift that takes.
+
+use thiserror::Error;
+
+use super::atmosphere::{AtmosphereError, standard_air};
+use super::coefficients::{Airframe, Coefficients};
+
+/// Steepest flight path for which this page uses the equations of small disturbances \[rad\], 60°.
+pub const STEEPEST_PATH: f64 = std::f64::consts::FRAC_PI_3;
+
+/// What a pilot chooses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlightCondition {
+    /// Geopotential altitude h \[m\].
+    pub altitude: f64,
+    /// True airspeed V \[m/s\], positive.
+    pub speed: f64,
+    /// Flight-path angle γ₀ \[rad\], climbing positive.
+    pub gamma0: f64,
+}
+
+/// The steady flight in which a source gives its numbers. Changes are reckoned from here, so that at the reference
+/// the source's own density, Mach number and C_L hold to the last digit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    /// The condition.
+    pub condition: FlightCondition,
+    /// Density ρ as the source has it \[kg/m³\].
+    pub density: f64,
+    /// Speed of sound as the source has it, V/M \[m/s\].
+    pub sound_speed: f64,
+    /// Angle of attack α₀ of the body x axis \[rad\]; it only turns inertias given in body axes.
+    pub alpha0: f64,
+    /// Mass for which the source gives C_L \[kg\].
+    pub mass: f64,
+    /// Acceleration of free fall g \[m/s²\] in the source's own rounding.
+    pub gravity: f64,
+}
+
+/// How far from the reference the coefficients are taken to hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Validity {
+    /// Highest C_L before the stall.
+    pub cl_max: f64,
+    /// Lowest Mach number.
+    pub mach_min: f64,
+    /// Highest Mach number.
+    pub mach_max: f64,
+}
+
+/// Why there is no such steady flight.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum ConditionError {
+    /// Speed zero, negative or not a number.
+    #[error("the airspeed must be positive, not {speed} m/s: without air there is no lift")]
+    NoSpeed {
+        /// The speed asked for \[m/s\].
+        speed: f64,
+    },
+    /// Too steep for these equations.
+    #[error("the flight path of {gamma0_deg:.0}° is steeper than the 60° up to which this model is used")]
+    TooSteep {
+        /// The angle asked for \[°\].
+        gamma0_deg: f64,
+    },
+    /// Outside the standard atmosphere.
+    #[error(transparent)]
+    Altitude(#[from] AtmosphereError),
+    /// Too slow: past the stall.
+    #[error(
+        "the wing would need C_L {needed:.2} at {speed:.1} m/s; this aircraft is taken to stall at {cl_max:.2}"
+    )]
+    Stall {
+        /// C_L that would carry the weight.
+        needed: f64,
+        /// The largest there is.
+        cl_max: f64,
+        /// True airspeed \[m/s\].
+        speed: f64,
+    },
+    /// Beyond the data.
+    #[error("Mach {mach:.3} is outside {mach_min} to {mach_max}, where this aircraft's coefficients hold")]
+    Mach {
+        /// Mach number asked for.
+        mach: f64,
+        /// Lowest of the data.
+        mach_min: f64,
+        /// Highest of the data.
+        mach_max: f64,
+    },
+    /// No angle of attack gives the lift.
+    #[error("C_Lα is {cl_alpha:.3}: lift that does not grow with the angle of attack cannot be trimmed")]
+    NoLiftSlope {
+        /// The slope \[1/rad\].
+        cl_alpha: f64,
+    },
+}
+
+/// Steady flight, trimmed for lift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteadyFlight {
+    /// The condition.
+    pub condition: FlightCondition,
+    /// Density ρ \[kg/m³\].
+    pub density: f64,
+    /// Mach number M.
+    pub mach: f64,
+    /// Dynamic pressure q̄ = ½ ρ V² \[Pa\].
+    pub dynamic_pressure: f64,
+    /// Trim lift coefficient C_L.
+    pub cl: f64,
+    /// Change of the angle of attack from the reference \[rad\].
+    pub alpha_change: f64,
+}
+
+/// Steady flight with lift equal to W cos γ₀.
+///
+/// C_L is the source's, times how much more lift is needed: C_L = W cos γ₀/(q̄ S) up to the source's rounding. The
+/// pitching moment is taken to be trimmed by the elevator.
+pub fn steady_flight(
+    condition: &FlightCondition,
+    reference: &Reference,
+    validity: &Validity,
+    airframe: &Airframe,
+    coefficients: &Coefficients,
+) -> Result<SteadyFlight, ConditionError> {
+    let FlightCondition { altitude, speed, gamma0 } = *condition;
+    if !(speed.is_finite() && speed > 0.0) {
+        return Err(ConditionError::NoSpeed { speed });
+    }
+    if gamma0.is_nan() || gamma0.abs() > STEEPEST_PATH {
+        return Err(ConditionError::TooSteep { gamma0_deg: gamma0.to_degrees() });
+    }
+    let (air, air0) = (standard_air(altitude)?, standard_air(reference.condition.altitude)?);
+    let density_ratio = air.density / air0.density;
+    let speed_ratio = speed / reference.condition.speed;
+    let density = reference.density * density_ratio;
+    // C_L/C_L₀ = (m/m₀)(cos γ/cos γ₀)/((ρ/ρ₀)(V/V₀)²)
+    let c = &coefficients.longitudinal;
+    let weight_ratio = airframe.mass / reference.mass;
+    let path_ratio = gamma0.cos() / reference.condition.gamma0.cos();
+    let cl = c.cl * (weight_ratio * path_ratio / (density_ratio * speed_ratio * speed_ratio));
+    if cl.is_nan() || cl > validity.cl_max {
+        return Err(ConditionError::Stall { needed: cl, cl_max: validity.cl_max, speed });
+    }
+    let mach = speed / (reference.sound_speed * (air.sound_speed / air0.sound_speed));
+    if !(validity.mach_min..=validity.mach_max).contains(&mach) {
+        let Validity { mach_min, mach_max, .. } = *validity;
+        return Err(ConditionError::Mach { mach, mach_min, mach_max });
+    }
+    // C_Lα Δα + C_L_M ΔM = ΔC_L
+    let lift_by_alpha = (cl - c.cl) - c.cl_m * (mach - reference.mach());
+    let alpha_change = if lift_by_alpha == 0.0 {
+        0.0
+    } else if c.cl_alpha > 1e-3 {
+        lift_by_alpha / c.cl_alpha
+    } else {
+        return Err(ConditionError::NoLiftSlope { cl_alpha: c.cl_alpha });
+    };
+    let dynamic_pressure = 0.5 * density * speed * speed;
+    Ok(SteadyFlight { condition: *condition, density, mach, dynamic_pressure, cl, alpha_change })
+}
+
+impl Reference {
+    /// Mach number of the reference.
+    pub fn mach(&self) -> f64 {
+        self.condition.speed / self.sound_speed
+    }
+}
+
+/// What changing speed, altitude, mass or flight path moves besides q̄, V and M.
+pub const CONDITION_MOVES: [&str; 5] = ["CL", "CD", "CD_alpha", "Cl_r", "Cn_p"];
+
+/// Why [`CONDITION_MOVES`], for the page.
+pub const CONDITION_RELATION: &str = "C_L = W cos γ₀/(q̄S); parabolic drag C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid \
+     §5.1); Cl_r and Cn_p by C_L/4 and −C_L/8 (Nelson, Table 3.4). Other coefficients keep their values: their own \
+     change with Mach number and angle of attack is not in the data.";
+
+/// The coefficients at another lift and Mach number, stability axes; at the reference they are unchanged to the bit.
+pub fn at_lift(c: &Coefficients, flight: &SteadyFlight, reference: &Reference) -> Coefficients {
+    let mut moved = *c;
+    let (l, m) = (&c.longitudinal, &mut moved.longitudinal);
+    let cl_change = flight.cl - l.cl;
+    m.cl = flight.cl;
+    // k = C_Dα/(2 C_L C_Lα);  C_D = C_D₁ + k (C_L² − C_L₁²) + C_D_M ΔM;  C_Dα = C_Dα₁ C_L/C_L₁
+    if l.cl * l.cl_alpha != 0.0 {
+        let k = l.cd_alpha / (2.0 * l.cl * l.cl_alpha);
+        m.cd += k * (flight.cl * flight.cl - l.cl * l.cl);
+        m.cd_alpha *= flight.cl / l.cl;
+    }
+    m.cd += l.cd_m * (flight.mach - reference.mach());
+    if let Some(lateral) = &mut moved.lateral {
+        // Cl_r = C_L/4 + fin,  Cn_p = −C_L/8 + fin
+        lateral.cl_r += cl_change / 4.0;
+        lateral.cn_p -= cl_change / 8.0;
+    }
+    moved
+}

@@ -1,0 +1,331 @@
+//! The knobs that people turn — mass, inertia, centre of gravity, tail, fin, dihedral — and what each moves.
+//!
+//! Each is a pure function of airframe and coefficients, the identity to the bit at its reference value. Stability
+//! axes; `Nelson` is Nelson, *Flight Stability and Automatic Control*, 2nd ed. 1998; `Etkin & Reid` is *Dynamics of
+//! Flight*, 3rd ed. 1996.
+
+use thiserror::Error;
+
+use super::coefficients::{Airframe, Coefficients};
+
+/// Where every knob stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knobs {
+    /// Mass over the reference mass, positive.
+    pub mass_ratio: f64,
+    /// Ix over its reference, positive.
+    pub ix_ratio: f64,
+    /// Iy over its reference, positive.
+    pub iy_ratio: f64,
+    /// Iz over its reference, positive.
+    pub iz_ratio: f64,
+    /// Centre of gravity aft of the reference, in mean chords Δx/c̄, aft positive.
+    pub cg_shift: f64,
+    /// Horizontal-tail area over the reference area; the arm stays.
+    pub tail_ratio: f64,
+    /// Fin and rudder area over the reference area; arm and height stay.
+    pub fin_ratio: f64,
+    /// Dihedral angle more than the reference \[rad\], wing tips up positive.
+    pub dihedral_change: f64,
+}
+
+impl Default for Knobs {
+    fn default() -> Self {
+        Self {
+            mass_ratio: 1.0,
+            ix_ratio: 1.0,
+            iy_ratio: 1.0,
+            iz_ratio: 1.0,
+            cg_shift: 0.0,
+            tail_ratio: 1.0,
+            fin_ratio: 1.0,
+            dihedral_change: 0.0,
+        }
+    }
+}
+
+/// One knob, to name what it moves. Speed, altitude and flight path are in [`super::condition`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knob {
+    /// [`Knobs::mass_ratio`].
+    Mass,
+    /// [`Knobs::ix_ratio`], [`Knobs::iy_ratio`] and [`Knobs::iz_ratio`].
+    Inertia,
+    /// [`Knobs::cg_shift`].
+    CentreOfGravity,
+    /// [`Knobs::tail_ratio`].
+    Tail,
+    /// [`Knobs::fin_ratio`].
+    Fin,
+    /// [`Knobs::dihedral_change`].
+    Dihedral,
+}
+
+/// A knob that cannot be turned so.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum KnobError {
+    /// The geometry that the knob needs is not in the aircraft's data.
+    #[error("{what} cannot be changed: this aircraft's data has no {missing}")]
+    NoGeometry {
+        /// The knob in words.
+        what: &'static str,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// A number outside what the knob can be.
+    #[error("{what} must be {expected}, not {value}")]
+    Range {
+        /// The knob in words.
+        what: &'static str,
+        /// What is allowed.
+        expected: &'static str,
+        /// What was asked for.
+        value: f64,
+    },
+}
+
+impl Knob {
+    /// All, in the order in which they are applied.
+    pub const ALL: [Self; 6] =
+        [Self::Mass, Self::Inertia, Self::Dihedral, Self::Tail, Self::Fin, Self::CentreOfGravity];
+
+    /// Keys of what it moves: of coefficients, or `mass`, `Ix`, `Iy`, `Iz`.
+    pub const fn moves(self) -> &'static [&'static str] {
+        match self {
+            Self::Mass => &["mass"],
+            Self::Inertia => &["Ix", "Iy", "Iz"],
+            Self::CentreOfGravity => &[
+                "Cm_alpha",
+                "Cm_alphadot",
+                "CL_q",
+                "Cm_q",
+                "Cm_M",
+                "Cm_de",
+                "Cn_beta",
+                "Cn_p",
+                "CY_r",
+                "Cl_r",
+                "Cn_r",
+                "Cn_da",
+                "Cn_dr",
+            ],
+            Self::Tail => &[
+                "CL_alpha",
+                "Cm_alpha",
+                "CL_alphadot",
+                "Cm_alphadot",
+                "CL_q",
+                "Cm_q",
+                "CL_de",
+                "CD_de",
+                "Cm_de",
+            ],
+            Self::Fin => &[
+                "CY_beta", "Cl_beta", "Cn_beta", "CY_p", "Cl_p", "Cn_p", "CY_r", "Cl_r", "Cn_r", "CY_dr",
+                "Cl_dr", "Cn_dr",
+            ],
+            Self::Dihedral => &["Cl_beta"],
+        }
+    }
+
+    /// The textbook relation that it uses, and what it leaves out.
+    pub const fn relation(self) -> &'static str {
+        match self {
+            Self::Mass => {
+                "C_L = W cos γ₀/(q̄S): more mass is flown at a higher C_L. The inertias have their own knobs."
+            }
+            Self::Inertia => "The moments over Ix, Iy, Iz; the product of inertia stays.",
+            Self::CentreOfGravity => {
+                "Forces and velocities carried to the new centre of gravity as by a rigid body: Cm_α = C_Lα (h − h_n) \
+                 (Etkin & Reid §2.3), Cm_q and C_Lq with α = α′ + q Δx/V, Cn and CY alike. Inertias stay."
+            }
+            Self::Tail => {
+                "Tail parts of the derivatives (Nelson, ch. 3): Cm_q = −2.2 η a_t V_H l_t/c̄, \
+                 Cm_α̇ = −2 η a_t V_H (l_t/c̄) dε/dα, Cm_α = −η a_t V_H (1 − dε/dα); η a_t and dε/dα from the \
+                 aircraft's own Cm_q and Cm_α̇. The tail's own mass and drag are left out."
+            }
+            Self::Fin => {
+                "Fin parts of the derivatives (Nelson, Table 3.4): Cn_r = 2 (l_v/b)² CY_βv, which gives CY_βv; \
+                 Cn_β = −(l_v/b) CY_βv, Cl_β = (z_v/b) CY_βv, Cl_r = −2 (l_v/b)(z_v/b) CY_βv. \
+                 The fin's own mass and drag are left out."
+            }
+            Self::Dihedral => {
+                "Cl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing (as in Perkins & Hage 1949)."
+            }
+        }
+    }
+}
+
+impl Knobs {
+    /// Airframe and coefficients with every knob applied, in the order of [`Knob::ALL`].
+    pub fn apply(
+        &self,
+        airframe: &Airframe,
+        coefficients: &Coefficients,
+    ) -> Result<(Airframe, Coefficients), KnobError> {
+        let mut now = (*airframe, *coefficients);
+        for knob in Knob::ALL {
+            now = self.apply_one(knob, &now.0, &now.1)?;
+        }
+        Ok(now)
+    }
+
+    /// Airframe and coefficients with one knob applied.
+    pub fn apply_one(
+        &self,
+        knob: Knob,
+        airframe: &Airframe,
+        coefficients: &Coefficients,
+    ) -> Result<(Airframe, Coefficients), KnobError> {
+        let (mut a, mut c) = (*airframe, *coefficients);
+        match knob {
+            Knob::Mass => a.mass *= positive("the mass ratio", self.mass_ratio)?,
+            Knob::Inertia => {
+                a.ix *= positive("the ratio of Ix", self.ix_ratio)?;
+                a.iy *= positive("the ratio of Iy", self.iy_ratio)?;
+                a.iz *= positive("the ratio of Iz", self.iz_ratio)?;
+            }
+            Knob::CentreOfGravity => {
+                let shift = within(
+                    "the shift of the centre of gravity",
+                    self.cg_shift,
+                    1.0,
+                    "within one mean chord",
+                )?;
+                c = shifted(&a, &c, shift);
+            }
+            Knob::Tail if self.tail_ratio == 1.0 => {}
+            Knob::Tail => {
+                let arm = a.tail.map(|tail| tail.arm / a.c);
+                let arm = arm.ok_or(missing("the horizontal tail", "tail arm"))?;
+                c = with_tail(&c, arm, not_negative("the ratio of tail areas", self.tail_ratio)?);
+            }
+            Knob::Fin if self.fin_ratio == 1.0 => {}
+            Knob::Fin => {
+                let fin = a.fin.map(|fin| (fin.arm / a.b, fin.height / a.b));
+                let fin = fin.ok_or(missing("the fin", "fin arm"))?;
+                c = with_fin(&c, fin, not_negative("the ratio of fin areas", self.fin_ratio)?);
+            }
+            Knob::Dihedral if self.dihedral_change == 0.0 => {}
+            Knob::Dihedral => {
+                let taper = a.taper.ok_or(missing("the dihedral", "taper ratio of the wing"))?;
+                let change = within("the change of dihedral", self.dihedral_change, 0.6, "within 0.6 rad")?;
+                c = with_dihedral(&c, taper, change);
+            }
+        }
+        Ok((a, c))
+    }
+}
+
+const fn missing(what: &'static str, missing: &'static str) -> KnobError {
+    KnobError::NoGeometry { what, missing }
+}
+
+fn positive(what: &'static str, value: f64) -> Result<f64, KnobError> {
+    let good = value.is_finite() && value > 0.0;
+    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "positive", value }) }
+}
+
+fn not_negative(what: &'static str, value: f64) -> Result<f64, KnobError> {
+    let good = value.is_finite() && value >= 0.0;
+    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "zero or more", value }) }
+}
+
+fn within(what: &'static str, value: f64, limit: f64, expected: &'static str) -> Result<f64, KnobError> {
+    if value.abs() <= limit { Ok(value) } else { Err(KnobError::Range { what, expected, value }) }
+}
+
+/// Neutral point aft of the reference centre of gravity, in mean chords: h_n − h = −Cm_α/C_Lα (Etkin & Reid §2.3).
+pub fn static_margin(c: &Coefficients) -> f64 {
+    -c.longitudinal.cm_alpha / c.longitudinal.cl_alpha
+}
+
+/// Everything about a centre of gravity `shift` mean chords further aft.
+///
+/// A force at the old centre acts Δx ahead of the new one: Cm′ = Cm + C_L Δx/c̄ and Cn′ = Cn + CY Δx/b. Turning about the new
+/// centre moves the old one: α = α′ − q Δx/V and β = β′ + r Δx/V. The force along x and the height are left alone.
+fn shifted(airframe: &Airframe, coefficients: &Coefficients, shift: f64) -> Coefficients {
+    let mut moved = *coefficients;
+    let (l, h) = (&mut moved.longitudinal, shift);
+    // in q c̄/2V: C_Lq′ = C_Lq − 2h C_Lα,  Cm_q′ = Cm_q − 2h Cm_α + h C_Lq′
+    l.cl_q -= 2.0 * h * l.cl_alpha;
+    l.cm_q += h * l.cl_q - 2.0 * h * l.cm_alpha;
+    // Cm_α′ = Cm_α + h C_Lα, and so for α̇, M and δe
+    l.cm_alpha += h * l.cl_alpha;
+    l.cm_alphadot += h * l.cl_alphadot;
+    l.cm_m += h * l.cl_m;
+    l.cm_de += h * l.cl_de;
+    if let Some(c) = &mut moved.lateral {
+        let d = h * airframe.c / airframe.b;
+        // in r b/2V: CY_r′ = CY_r + 2d CY_β,  Cl_r′ = Cl_r + 2d Cl_β,  Cn_r′ = Cn_r + 2d Cn_β + d CY_r′
+        c.cy_r += 2.0 * d * c.cy_beta;
+        c.cl_r += 2.0 * d * c.cl_beta;
+        c.cn_r += 2.0 * d * c.cn_beta + d * c.cy_r;
+        // Cn_β′ = Cn_β + d CY_β, and so for p, δa and δr
+        c.cn_beta += d * c.cy_beta;
+        c.cn_p += d * c.cy_p;
+        c.cn_da += d * c.cy_da;
+        c.cn_dr += d * c.cy_dr;
+    }
+    moved
+}
+
+/// A tail `ratio` times as large on the same arm l_t/c̄.
+fn with_tail(coefficients: &Coefficients, arm: f64, ratio: f64) -> Coefficients {
+    let mut moved = *coefficients;
+    let (c, l) = (&coefficients.longitudinal, &mut moved.longitudinal);
+    let more = ratio - 1.0;
+    // Cm_q = 1.1 Cm_qt, and Cm_qt = −2 η a_t (S_t/S)(l_t/c̄)²
+    let cm_q_tail = c.cm_q.min(0.0) / 1.1;
+    let lift_slope = -cm_q_tail / (2.0 * arm * arm);
+    // dε/dα = Cm_α̇/Cm_qt
+    let downwash = if cm_q_tail < 0.0 { (c.cm_alphadot / cm_q_tail).clamp(0.0, 1.0) } else { 0.0 };
+    // C_Lαt = η a_t (S_t/S)(1 − dε/dα),  Cm_αt = −(l_t/c̄) C_Lαt
+    l.cl_alpha += more * lift_slope * (1.0 - downwash);
+    l.cm_alpha -= more * arm * lift_slope * (1.0 - downwash);
+    // C_Lqt = 2 η a_t (S_t/S)(l_t/c̄),  C_Lα̇t = C_Lqt dε/dα
+    l.cl_q += more * 2.0 * arm * lift_slope;
+    l.cm_q += more * cm_q_tail;
+    l.cl_alphadot += more * 2.0 * arm * lift_slope * downwash;
+    l.cm_alphadot += more * cm_q_tail * downwash;
+    // the elevator grows with the tail
+    l.cl_de *= ratio;
+    l.cd_de *= ratio;
+    l.cm_de *= ratio;
+    moved
+}
+
+/// A fin and rudder `ratio` times as large, with arm l_v/b and height z_v/b the same.
+fn with_fin(coefficients: &Coefficients, (arm, height): (f64, f64), ratio: f64) -> Coefficients {
+    let mut moved = *coefficients;
+    if let Some(c) = &mut moved.lateral {
+        // Cn_r = 2 (l_v/b)² CY_βv
+        let cy_beta_fin = c.cn_r.min(0.0) / (2.0 * arm * arm);
+        let more = (ratio - 1.0) * cy_beta_fin;
+        // at the fin β′ = β + 2 (z_v/b) p̂ − 2 (l_v/b) r̂;  Cl = (z_v/b) CY,  Cn = −(l_v/b) CY
+        c.cy_beta += more;
+        c.cl_beta += more * height;
+        c.cn_beta -= more * arm;
+        c.cy_p += more * 2.0 * height;
+        c.cl_p += more * 2.0 * height * height;
+        c.cn_p -= more * 2.0 * height * arm;
+        c.cy_r -= more * 2.0 * arm;
+        c.cl_r -= more * 2.0 * arm * height;
+        c.cn_r += more * 2.0 * arm * arm;
+        c.cy_dr *= ratio;
+        c.cl_dr *= ratio;
+        c.cn_dr *= ratio;
+    }
+    moved
+}
+
+/// Wing tips up by `change` \[rad\] more, on a wing of taper ratio λ.
+fn with_dihedral(coefficients: &Coefficients, taper: f64, change: f64) -> Coefficients {
+    let mut moved = *coefficients;
+    if let Some(c) = &mut moved.lateral {
+        // ΔCl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) ΔΓ
+        let slope = coefficients.longitudinal.cl_alpha / 6.0 * (1.0 + 2.0 * taper) / (1.0 + taper);
+        c.cl_beta -= slope * change;
+    }
+    moved
+}

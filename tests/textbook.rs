@@ -1,0 +1,202 @@
+//! Published modes of every aircraft, each with its source in the aircraft's file (validation).
+//!
+//! `UPDATE_VALIDATION=1 cargo test --no-default-features --test textbook` writes docs/VALIDATION.md anew.
+
+use std::fmt::Write as _;
+
+use eigenwing::content::aircraft::{Comparison, PlaneNotes, Quantity, compare};
+use eigenwing::content::{Aircraft, Status, embedded_aircraft};
+use eigenwing::flight::plane::Plane;
+
+const PLANES: [Plane; 2] = [Plane::Longitudinal, Plane::Lateral];
+
+fn all() -> Vec<Aircraft> {
+    let (aircraft, errors) = embedded_aircraft();
+    assert!(errors.is_empty(), "{}", errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
+    aircraft
+}
+
+fn comparisons(aircraft: &Aircraft, plane: Plane) -> Option<(&PlaneNotes, Vec<Comparison>)> {
+    let models = aircraft.study.models().expect("every shipped aircraft has a steady flight");
+    assert!(models.problems.is_empty(), "{}: {:?}", aircraft.key, models.problems);
+    let notes = aircraft.notes_of(plane)?;
+    let model = match plane {
+        Plane::Longitudinal => models.longitudinal,
+        Plane::Lateral => models.lateral,
+    };
+    let model = model.expect("a plane with notes has a model");
+    Some((notes, compare(&model, &notes.published).expect("the model has eigenvalues")))
+}
+
+fn find(key: &str) -> Aircraft {
+    all().into_iter().find(|aircraft| aircraft.key == key).expect("the aircraft ships")
+}
+
+#[test]
+fn every_verified_plane_reproduces_every_published_number() {
+    let mut numbers = 0;
+    for aircraft in all() {
+        for plane in PLANES {
+            let Some((notes, comparisons)) = comparisons(&aircraft, plane) else { continue };
+            if notes.status == Status::Verified {
+                for comparison in &comparisons {
+                    assert!(comparison.is_reproduced(), "{} {comparison:?}", aircraft.key);
+                }
+                numbers += comparisons.len();
+            }
+        }
+    }
+    assert!(numbers >= 90, "only {numbers} numbers were compared");
+}
+
+#[test]
+fn only_the_near_tuck_phugoid_of_flight_condition_7_needs_its_rounding_band() {
+    let mut wide = Vec::new();
+    for aircraft in all() {
+        for plane in PLANES {
+            let Some((notes, comparisons)) = comparisons(&aircraft, plane) else { continue };
+            let beyond = |c: &&Comparison| c.relative_error().is_none_or(|error| error.abs() > 0.03);
+            if notes.status == Status::Verified && comparisons.iter().any(|c| beyond(&c)) {
+                wide.push((aircraft.key.clone(), plane));
+            }
+        }
+    }
+    assert_eq!(wide, [("b747-fc7".to_owned(), Plane::Longitudinal)]);
+}
+
+#[test]
+fn the_etkin_cruise_agrees_with_its_recalled_eigenvalues_to_half_a_percent() {
+    let aircraft = find("b747-cruise-etkin");
+    for plane in PLANES {
+        let (notes, comparisons) = comparisons(&aircraft, plane).expect("both planes");
+        assert_eq!(notes.status, Status::Unverified);
+        assert_eq!(comparisons.len(), 4);
+        assert!(comparisons.iter().all(|c| c.relative_error().is_some_and(|error| error.abs() < 0.005)));
+    }
+}
+
+/// The quoted lateral eigenvalues belong to other constants than the listed ones, which give an unstable spiral.
+#[test]
+fn the_citations_lateral_constants_disagree_with_its_quoted_eigenvalues() {
+    let citation = find("citation");
+    let (notes, comparisons) = comparisons(&citation, Plane::Lateral).expect("it has lateral data");
+    assert_eq!(notes.status, Status::Unverified);
+    assert!(comparisons.iter().all(|c| !c.is_reproduced()));
+    let spiral = comparisons.last().and_then(|c| c.computed).expect("a spiral root");
+    assert!(spiral > 0.0);
+}
+
+#[test]
+fn every_needed_aircraft_ships_with_its_status() {
+    for (key, verified) in [
+        ("navion", true),
+        ("b747-approach", true),
+        ("b747-fc9", true),
+        ("b747-fc8", true),
+        ("b747-fc10", true),
+        ("a4d", true),
+        ("nt33a", true),
+        ("x15", true),
+        ("c47", true),
+        ("bristol-f2b", true),
+        ("cessna-172", false),
+        ("cherokee-180", false),
+        ("lesson", false),
+        ("lesson-printed", false),
+    ] {
+        let aircraft = find(key);
+        assert_eq!(aircraft.status == Status::Verified, verified, "{key}");
+        assert!(!aircraft.status_reason.is_empty() && !aircraft.source.is_empty());
+        assert_eq!(aircraft.lateral_notes.is_some(), !key.starts_with("lesson"), "{key}");
+    }
+}
+
+#[test]
+fn a_spiral_that_diverges_in_the_report_diverges_here() {
+    for key in ["b747-fc8", "b747-fc10", "c47", "bristol-f2b"] {
+        let (_, comparisons) = comparisons(&find(key), Plane::Lateral).expect("it has lateral data");
+        assert!(comparisons.last().and_then(|c| c.computed).is_some_and(|root| root > 0.0), "{key}");
+    }
+}
+
+/// Four figures, like most of the sources.
+fn figures(x: f64) -> String {
+    let digits = (3.0 - x.abs().log10().floor()).clamp(0.0, 8.0) as usize;
+    format!("{x:.digits$}").replace('-', "−")
+}
+
+fn validation() -> String {
+    let mut text = String::from(
+        "# Published and computed modes\n\n\
+         Written by `UPDATE_VALIDATION=1 cargo test --no-default-features --test textbook`; the same test fails when it is \
+         out of date.\nThe published numbers and their sources are in `assets/aircraft/*.toml`. A plane is *verified* when \
+         every published number is within 3 %,\nor within the band that half a unit of the last printed digit of every \
+         input allows (marked †).\n\n| aircraft | numbers | worst error |\n|---|---|---|\n",
+    );
+    let mut detail = String::new();
+    for aircraft in all() {
+        let mut errors = Vec::new();
+        for plane in PLANES {
+            let Some((notes, comparisons)) = comparisons(&aircraft, plane) else { continue };
+            let (status, name) = match (notes.status, plane) {
+                (Status::Verified, Plane::Longitudinal) => ("verified", "longitudinal"),
+                (Status::Verified, Plane::Lateral) => ("verified", "lateral"),
+                (Status::Unverified, Plane::Longitudinal) => ("unverified", "longitudinal"),
+                (Status::Unverified, Plane::Lateral) => ("unverified", "lateral"),
+            };
+            let _ = write!(
+                detail,
+                "\n## {}, {}: {name}, {status}\n\n{}\n\nSource: {}\n",
+                aircraft.name, aircraft.condition, notes.status_reason, notes.source
+            );
+            if comparisons.is_empty() {
+                continue;
+            }
+            detail.push_str("\n| mode | quantity | published | computed | error |\n|---|---|---|---|---|\n");
+            for c in &comparisons {
+                let symbol = match c.published.quantity {
+                    Quantity::NaturalFrequency => "ωn, rad/s",
+                    Quantity::DampingRatio => "ζ",
+                    Quantity::Root => "λ, 1/s",
+                };
+                let error = c.relative_error().unwrap_or(f64::NAN);
+                let mark = match c.published.rounding_band {
+                    Some(_) => " †",
+                    None if c.is_reproduced() => "",
+                    None => " ✗",
+                };
+                let _ = writeln!(
+                    detail,
+                    "| {} | {symbol} | {} | {} | {}{mark} |",
+                    c.published.mode.name(),
+                    figures(c.published.value),
+                    c.computed.map_or_else(|| "none".to_owned(), figures),
+                    format!("{:+.2} %", 100.0 * error)
+                        .replace('-', "−")
+                        .replace("+0.00", "0.00")
+                        .replace("−0.00", "0.00"),
+                );
+                errors.push((error.abs(), mark));
+            }
+        }
+        let worst = errors.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
+        let worst = worst.map_or_else(
+            || "none published".to_owned(),
+            |(error, mark)| format!("{:.2} %{mark}", 100.0 * error),
+        );
+        let _ = writeln!(text, "| {}, {} | {} | {worst} |", aircraft.name, aircraft.condition, errors.len());
+    }
+    text + &detail
+}
+
+#[test]
+fn the_validation_table_is_current() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/VALIDATION.md");
+    let text = validation();
+    if std::env::var_os("UPDATE_VALIDATION").is_some() {
+        std::fs::create_dir_all(concat!(env!("CARGO_MANIFEST_DIR"), "/docs")).expect("docs can be made");
+        std::fs::write(path, &text).expect("the table can be written");
+    }
+    let written = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(written == text, "docs/VALIDATION.md is out of date; run with UPDATE_VALIDATION=1");
+}
