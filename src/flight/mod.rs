@@ -22,6 +22,8 @@ pub mod inputs;
 pub mod linear;
 pub mod modes;
 pub mod naming;
+mod naming_lateral;
+mod naming_longitudinal;
 pub mod plane;
 pub mod response;
 mod schur;
