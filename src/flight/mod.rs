@@ -17,6 +17,8 @@
 //! cannot show.
 
 pub mod analysis;
+pub mod approximations;
+pub mod dual;
 pub mod eigen;
 pub mod inputs;
 pub mod linear;
@@ -27,6 +29,9 @@ mod naming_longitudinal;
 pub mod plane;
 pub mod response;
 mod schur;
+pub mod second_order;
+pub mod sensitivity;
+mod stability_axes;
 pub mod static_stability;
 
 pub use analysis::{Analysis, AnalysisError, Channel, Experiment, analyse};
