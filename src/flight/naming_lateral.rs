@@ -14,6 +14,11 @@ const ROLLING_PAIR: f64 = 0.3;
 /// … and the two real roots hold more than this share of them between them: then they are the Dutch roll, split.
 const YAWING_ROOTS: f64 = 0.6;
 
+/// A root that grows is a driven roll, and no spiral, if it is this many times the root that dies away.
+///
+/// No reference aircraft comes there with any one derivative from −1 to 3 times its value.
+const DRIVEN_ROLL: f64 = 3.0;
+
 /// Share of v and r, the states of the Dutch roll; p and φ, those of rolling, have the rest.
 fn yaw_share(shape: &Shape) -> f64 {
     shape.participation[0] + shape.participation[2]
@@ -41,30 +46,25 @@ fn one_pair(shapes: &[Shape]) -> Vec<ModeName> {
     let order = real_roots_in_order(shapes);
     let split = mean_share(shapes, true, yaw_share) < ROLLING_PAIR
         && mean_share(shapes, false, yaw_share) > YAWING_ROOTS;
-    let both_grow = shapes.iter().all(|s| s.oscillates() || s.grows());
+    let leftmost = order.first().copied();
+    let roll = if roll_is_on_the_right(shapes, &order) { order.last().copied() } else { leftmost };
     (0..shapes.len())
-        .map(|i| match (shapes[i].oscillates(), order.first() == Some(&i)) {
+        .map(|i| match (shapes[i].oscillates(), leftmost == Some(i)) {
             (true, _) if split => ModeName::CoupledRollSpiral,
             (true, _) => ModeName::DutchRoll,
             (false, true) if split => ModeName::DutchRollMoreStableRoot,
             (false, false) if split => ModeName::DutchRollLessStableRoot,
-            // Roll is the greater |λ|. Where both grow (the wing drives the roll) that is the one on the right.
-            (false, true) => {
-                if both_grow {
-                    ModeName::Spiral
-                } else {
-                    ModeName::RollSubsidence
-                }
-            }
-            (false, false) => {
-                if both_grow {
-                    ModeName::RollSubsidence
-                } else {
-                    ModeName::Spiral
-                }
-            }
+            (false, _) if roll == Some(i) => ModeName::RollSubsidence,
+            (false, _) => ModeName::Spiral,
         })
         .collect()
+}
+
+/// Roll is the greater |λ| of two real roots: the left one, unless the wing drives the roll so that it grows.
+fn roll_is_on_the_right(shapes: &[Shape], order: &[usize]) -> bool {
+    let [left, right] = order else { return false };
+    let (left, right) = (&shapes[*left], &shapes[*right]);
+    right.grows() && (left.grows() || right.lambda.norm() > DRIVEN_ROLL * left.lambda.norm())
 }
 
 /// Four real roots, named by their order and by how many grow.
