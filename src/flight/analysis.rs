@@ -3,11 +3,11 @@
 use nalgebra::Vector4;
 use thiserror::Error;
 
-use super::eigen::{EigenError, eigen};
+use super::eigen::EigenError;
 use super::inputs::Input;
 use super::linear::{Longitudinal, LongitudinalModel};
-use super::modes::{DynamicStability, Mode, dynamic_stability};
-use super::naming::{Shape, name_modes};
+use super::modes::{DynamicStability, Mode, modes_of};
+use super::plane::Plane;
 use super::response::{Response, TimeGrid, respond};
 use super::static_stability::{StaticStability, static_stability};
 
@@ -116,33 +116,9 @@ fn small_until(response: &Response, u0: f64) -> Option<f64> {
     Some(k as f64 * response.dt)
 }
 
-/// The named modes of a model, short period first.
+/// The named modes of a longitudinal model, short period first.
 pub fn modes(model: &LongitudinalModel) -> Result<Vec<Mode>, EigenError> {
-    let eigen = eigen(&model.a)?;
-    let spectral_radius = eigen.values.iter().map(|l| l.norm()).fold(0.0, f64::max);
-    let kept: Vec<usize> = (0..4).filter(|&i| eigen.values[i].im >= 0.0).collect();
-    let shapes: Vec<Shape> = kept
-        .iter()
-        .map(|&i| Shape {
-            lambda: eigen.values[i],
-            participation: eigen.participation(i),
-            stability: dynamic_stability(eigen.values[i].re, spectral_radius),
-        })
-        .collect();
-    let mut modes: Vec<Mode> = kept
-        .iter()
-        .zip(&shapes)
-        .zip(name_modes(&shapes))
-        .map(|((&i, shape), naming)| Mode {
-            lambda: shape.lambda,
-            shape: Vector4::from(eigen.right.column(i)),
-            participation: shape.participation,
-            naming,
-            stability: shape.stability,
-        })
-        .collect();
-    modes.sort_by_key(|mode| mode.naming.name);
-    Ok(modes)
+    modes_of(Plane::Longitudinal, &model.a)
 }
 
 fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {

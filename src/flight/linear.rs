@@ -55,3 +55,26 @@ impl LongitudinalModel {
         -self.a.column(Longitudinal::W.index())
     }
 }
+
+/// The states of lateral–directional motion, in the order of the state vector x = \[v, p, r, φ\].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lateral {
+    /// Sideslip velocity v \[m/s\], to the right positive; β ≈ v/V.
+    V,
+    /// Roll rate p \[rad/s\], right wing down positive.
+    P,
+    /// Yaw rate r \[rad/s\], nose right positive.
+    R,
+    /// Bank angle φ \[rad\], right wing down positive.
+    Phi,
+}
+
+impl Lateral {
+    /// All four, in the order of the state vector.
+    pub const ALL: [Self; 4] = [Self::V, Self::P, Self::R, Self::Phi];
+
+    /// Row or column of this state in A, B and x.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+}

@@ -23,20 +23,29 @@
 //! cannot show.
 
 pub mod analysis;
+pub mod approximations;
 pub mod atmosphere;
 pub mod axes;
 pub mod coefficients;
 pub mod condition;
 pub mod derivatives;
+pub mod dual;
 pub mod eigen;
+pub mod handling_qualities;
 pub mod inputs;
 pub mod knobs;
 pub mod linear;
+pub mod mil_f_8785c;
 pub mod modes;
 pub mod naming;
+mod naming_lateral;
+mod naming_longitudinal;
 pub mod plane;
 pub mod response;
 mod schur;
+pub mod second_order;
+pub mod sensitivity;
+mod stability_axes;
 pub mod static_stability;
 pub mod study;
 

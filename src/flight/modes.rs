@@ -2,16 +2,24 @@
 
 use std::f64::consts::{LN_2, TAU};
 
-use nalgebra::{Complex, Vector4};
+use nalgebra::{Complex, Matrix4, Vector4};
 
+use super::eigen::{Eigen, EigenError, eigen};
 use super::linear::Longitudinal;
-use super::naming::Naming;
+use super::naming::{Naming, Shape, name_modes};
+use super::plane::{Plane, PlaneModel};
 
 /// Below this fraction of the largest |λ| of the matrix, a real part counts as zero.
 ///
 /// Eigenvalues carry rounding of a few 1e-16 of the matrix norm; 1e-9 is far above that and far below any
 /// growth rate a person could measure.
 const NEUTRAL_FRACTION: f64 = 1e-9;
+
+/// The largest condition number told: the reciprocal of rounding, where nothing is known of the root any more.
+pub const WORST_CONDITION: f64 = 1e16;
+
+/// Closer than this fraction of the largest |λ| of the matrix, two eigenvalues count as one repeated root.
+const REPEATED_FRACTION: f64 = 1e-8;
 
 /// What a disturbance in one mode, or in the whole aircraft, does as time goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,8 +37,12 @@ pub enum DynamicStability {
 pub struct Mode {
     /// Eigenvalue λ = σ + jω \[1/s\] with ω ≥ 0; ω > 0 stands for the pair σ ± jω.
     pub lambda: Complex<f64>,
-    /// Right eigenvector over \[u, w, q, θ\], SI, of unit length.
+    /// Right eigenvector v over \[u, w, q, θ\] or \[v, p, r, φ\], SI, of unit length.
     pub shape: Vector4<Complex<f64>>,
+    /// Left eigenvector l, lᴴ A = λ lᴴ, of unit length: how strongly each state excites the mode.
+    pub adjoint: Vector4<Complex<f64>>,
+    /// How far λ moves, at worst, for a relative change of the matrix: 1 at best, [`WORST_CONDITION`] at a repeated root.
+    pub condition: f64,
     /// Participation of each state, |left × right| of that entry, adding up to 1.
     pub participation: [f64; 4],
     /// Its name and the reason for it.
@@ -87,10 +99,71 @@ impl Mode {
         (!self.is_oscillatory() && self.stability != DynamicStability::Neutral).then(|| -1.0 / self.lambda.re)
     }
 
-    /// Participation of one state, 0 to 1.
+    /// Participation of one longitudinal state, 0 to 1.
     pub fn share(&self, state: Longitudinal) -> f64 {
         self.participation[state.index()]
     }
+}
+
+/// The named modes of a model, each conjugate pair once, in the order of [`super::naming::ModeName`].
+pub fn modes(model: &PlaneModel) -> Result<Vec<Mode>, EigenError> {
+    modes_of(model.plane, &model.a)
+}
+
+/// The named modes of a state matrix of one plane, in the order of [`super::naming::ModeName`].
+pub fn modes_of(plane: Plane, a: &Matrix4<f64>) -> Result<Vec<Mode>, EigenError> {
+    let eigen = eigen(a)?;
+    let spectral_radius = eigen.values.iter().map(|l| l.norm()).fold(0.0, f64::max);
+    let kept: Vec<usize> = (0..4).filter(|&i| eigen.values[i].im >= 0.0).collect();
+    let shapes: Vec<Shape> = kept
+        .iter()
+        .map(|&i| Shape {
+            lambda: eigen.values[i],
+            participation: eigen.participation(i),
+            stability: dynamic_stability(eigen.values[i].re, spectral_radius),
+        })
+        .collect();
+    let mut modes: Vec<Mode> = kept
+        .iter()
+        .zip(&shapes)
+        .zip(name_modes(plane, &shapes))
+        .map(|((&i, shape), naming)| Mode {
+            lambda: shape.lambda,
+            shape: Vector4::from(eigen.right.column(i)),
+            adjoint: Vector4::from(eigen.left.column(i)),
+            condition: condition(&eigen, i, spectral_radius),
+            participation: shape.participation,
+            naming,
+            stability: shape.stability,
+        })
+        .collect();
+    modes.sort_by_key(|mode| mode.naming.name);
+    Ok(modes)
+}
+
+/// Condition number of eigenvalue `i`, the least that any units of the states could give it.
+///
+/// 1/|lᴴv| depends on the units (Wilkinson 1965). Over all diagonal scalings its least value is Σ|lₖ||vₖ| / |lᴴv|, by the
+/// inequality of Cauchy and Schwarz. Two equal eigenvalues with independent vectors would still read 1, but no derivative of
+/// either is defined: there ρ/gap stands instead.
+fn condition(eigen: &Eigen, i: usize, spectral_radius: f64) -> f64 {
+    let (v, l) = (eigen.right.column(i), eigen.left.column(i));
+    let (product, sum) =
+        (l.dotc(&v).norm(), v.iter().zip(l.iter()).map(|(v, l)| v.norm() * l.norm()).sum::<f64>());
+    let of_vectors = if product > 0.0 { sum / product } else { WORST_CONDITION };
+    let gap = (0..4)
+        .filter(|&j| j != i)
+        .map(|j| (eigen.values[j] - eigen.values[i]).norm())
+        .fold(f64::INFINITY, f64::min);
+    let of_gap = if gap > REPEATED_FRACTION * spectral_radius {
+        1.0
+    } else if gap > 0.0 {
+        spectral_radius / gap
+    } else {
+        WORST_CONDITION
+    };
+    // `max` and `min` also turn a NaN of 0/0 into a bound.
+    of_vectors.max(of_gap).clamp(1.0, WORST_CONDITION)
 }
 
 /// Whether a motion with real part `sigma` grows, in a matrix whose largest |λ| is `spectral_radius`, both \[1/s\].

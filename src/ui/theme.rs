@@ -130,11 +130,15 @@ impl Palette {
     /// The one colour of a mode, wherever it is shown.
     pub const fn mode(&self, name: ModeName) -> Color32 {
         match name {
-            ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
-            ModeName::ShortPeriodSlowRoot => self.short_period_slow,
-            ModeName::Phugoid | ModeName::PhugoidFastRoot => self.phugoid,
-            ModeName::PhugoidSlowRoot => self.phugoid_slow,
-            ModeName::ThirdOscillatory => self.third_mode,
+            // The lateral modes borrow the colours of the longitudinal ones until they are drawn.
+            ModeName::ShortPeriod
+            | ModeName::ShortPeriodFastRoot
+            | ModeName::DutchRoll
+            | ModeName::DutchRollMoreStableRoot => self.short_period,
+            ModeName::ShortPeriodSlowRoot | ModeName::DutchRollLessStableRoot => self.short_period_slow,
+            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::Spiral => self.phugoid,
+            ModeName::PhugoidSlowRoot | ModeName::RollSubsidence => self.phugoid_slow,
+            ModeName::ThirdOscillatory | ModeName::CoupledRollSpiral => self.third_mode,
             ModeName::Divergence => self.divergence,
         }
     }

@@ -1,0 +1,276 @@
+//! Handling-quality levels: what a pilot would say of each mode, after MIL-F-8785C.
+//!
+//! A verdict carries the limit that governs it and how far away that is. An aperiodic divergence in pitch gets none: paragraph 3.2.1.1
+//! judges it, by numbers that are not in the tables here.
+
+use super::mil_f_8785c::{
+    Category, Class, Criterion, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll, phugoid,
+    roll_mode, short_period_damping, short_period_frequency, spiral,
+};
+use super::modes::{DynamicStability, Mode};
+use super::naming::ModeName;
+use super::plane::{Plane, PlaneModel};
+use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
+use super::stability_axes::in_stability_axes;
+use crate::number::significant;
+
+/// How good the handling is (1.5, p. 4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Clearly adequate for the mission.
+    One,
+    /// Adequate, with more work for the pilot or less effect.
+    Two,
+    /// Controllable safely, with too much work or too little effect.
+    Three,
+    /// Worse than Level 3.
+    Beyond,
+}
+
+impl Level {
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::One => "Level 1",
+            Self::Two => "Level 2",
+            Self::Three => "Level 3",
+            Self::Beyond => "Worse than Level 3",
+        }
+    }
+
+    const fn number(self) -> usize {
+        self as usize
+    }
+}
+
+/// The limit that governs a verdict.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Governing {
+    /// The limit: of Level 1 if that is met, else of the next better level, which this one misses by most.
+    pub requirement: Requirement,
+    /// The level that the limit belongs to.
+    pub of: Level,
+    /// The value that the aircraft has.
+    pub value: f64,
+}
+
+impl Governing {
+    /// By how much the value would have to change to reach the limit, signed, in the unit of the quantity.
+    pub fn distance(&self) -> f64 {
+        self.requirement.limit - self.value
+    }
+}
+
+/// The verdict on one criterion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// What was judged.
+    pub criterion: Criterion,
+    /// The level, by the numbers as computed.
+    pub level: Level,
+    /// Whether a value equals a limit to three digits, so that the last digit would decide the level.
+    pub on_boundary: bool,
+    /// The values judged.
+    pub values: Vec<(Quantity, f64)>,
+    /// The governing limit; `None` where no number decides (a stable spiral, an oscillation that is not allowed).
+    pub governing: Option<Governing>,
+    /// Paragraph of MIL-F-8785C.
+    pub paragraph: &'static str,
+    /// Table or figure and page of MIL-F-8785C.
+    pub table: &'static str,
+}
+
+impl Verdict {
+    /// The verdict in one sentence with its source.
+    pub fn sentence(&self) -> String {
+        let source = format!("MIL-F-8785C {}, {}", self.paragraph, self.table);
+        let boundary = if self.on_boundary { ", on the boundary" } else { "" };
+        let Some(governing) = self.governing else {
+            return format!("{}{boundary} ({source}).", self.level.text());
+        };
+        let Requirement { quantity, is_minimum, limit } = governing.requirement;
+        let (symbol, unit) = (quantity.symbol(), quantity.unit());
+        let [value, limit] = [governing.value, limit].map(|x| significant(x, 3));
+        let bound = if is_minimum { "at least" } else { "at most" };
+        format!(
+            "{}{boundary}: {symbol} is {value}{unit}, {} asks {bound} {limit}{unit} ({source}).",
+            self.level.text(),
+            governing.of.text()
+        )
+    }
+}
+
+/// All verdicts for the plane of `model`, whose modes are `modes`, for a class of aircraft in a phase of flight.
+pub fn handling_qualities(
+    model: &PlaneModel,
+    modes: &[Mode],
+    class: Class,
+    category: Category,
+) -> Vec<Verdict> {
+    match model.plane {
+        Plane::Longitudinal => longitudinal(model, modes, class, category),
+        Plane::Lateral => lateral(model, modes, class, category),
+    }
+}
+
+/// Load factor for angle of attack n/α \[g/rad\], positive where more angle of attack is more lift; `None` if not finite.
+///
+/// In stability axes n/α = −V² A_ww/(g A_wq), which is −V Zw/g where Zq is zero (MIL-F-8785C 6.2.4).
+pub fn load_factor_slope(model: &PlaneModel) -> Option<f64> {
+    let a = in_stability_axes(model).a;
+    let v = model.trim.speed;
+    let slope = -v * v * a[(1, 1)] / (model.trim.gravity * a[(1, 2)]);
+    slope.is_finite().then_some(slope)
+}
+
+/// |φ/β| of a lateral mode: bank angle about the flight path for sideslip angle, β = v/V; `None` if not finite.
+pub fn phi_to_beta(model: &PlaneModel, mode: &Mode) -> Option<f64> {
+    // φ in stability axes is φ cos θ₀/cos γ₀
+    let phi = mode.shape[3].norm() * (model.trim.theta0().cos() / model.trim.gamma0.cos()).abs();
+    let ratio = phi * model.trim.speed / mode.shape[0].norm();
+    ratio.is_finite().then_some(ratio)
+}
+
+fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Category) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    if let Some(motion) = second_order(modes, SHORT_PERIOD) {
+        let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
+        verdicts.push(judge(
+            Criterion::ShortPeriodDamping,
+            category,
+            vec![(Quantity::DampingRatio, zeta)],
+            &short_period_damping(category),
+        ));
+        // CAP = ωₙ²/(n/α)
+        let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
+        if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
+            verdicts.push(judge(
+                Criterion::ShortPeriodFrequency,
+                category,
+                vec![
+                    (Quantity::ControlAnticipation, cap),
+                    (Quantity::NaturalFrequency, wn),
+                    (Quantity::LoadFactorSlope, slope),
+                ],
+                &short_period_frequency(class, category),
+            ));
+        }
+    }
+    if let Some(motion) = second_order(modes, PHUGOID) {
+        let mut values = vec![(Quantity::DampingRatio, motion.damping_ratio)];
+        values.extend(find(modes, ModeName::Phugoid).and_then(time_to_double));
+        verdicts.push(judge(Criterion::Phugoid, category, values, &phugoid()));
+    }
+    verdicts
+}
+
+fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    if let Some(motion) = second_order(modes, DUTCH_ROLL) {
+        let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
+        let phi_to_beta =
+            find(modes, ModeName::DutchRoll).and_then(|mode| phi_to_beta(model, mode)).unwrap_or(0.0);
+        let phi_rule = (wn * wn * phi_to_beta).min(f64::MAX);
+        let values = vec![
+            (Quantity::DampingRatio, zeta),
+            (Quantity::DampingProduct, zeta * wn),
+            (Quantity::NaturalFrequency, wn),
+        ];
+        let levels = dutch_roll(class, category, wn, phi_rule);
+        verdicts.push(judge(Criterion::DutchRoll, category, values, &levels));
+    } else if find(modes, ModeName::DutchRollLessStableRoot).is_some_and(grows) {
+        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new()));
+    }
+    if let Some(mode) = find(modes, ModeName::RollSubsidence) {
+        verdicts.push(match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
+            Some(tau) => judge(
+                Criterion::RollMode,
+                category,
+                vec![(Quantity::TimeConstant, tau)],
+                &roll_mode(class, category),
+            ),
+            None => not_allowed(Criterion::RollMode, category, Vec::new()),
+        });
+    }
+    if let Some(mode) = find(modes, ModeName::Spiral) {
+        let values = time_to_double(mode).into_iter().collect();
+        verdicts.push(judge(Criterion::Spiral, category, values, &spiral(category)));
+    }
+    if let Some(mode) = find(modes, ModeName::CoupledRollSpiral) {
+        // ζωₙ = −σ
+        let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
+        verdicts.push(match coupled_roll_spiral(category) {
+            Some(levels) => judge(Criterion::CoupledRollSpiral, category, values, &levels),
+            None => not_allowed(Criterion::CoupledRollSpiral, category, values),
+        });
+    }
+    verdicts
+}
+
+fn find(modes: &[Mode], name: ModeName) -> Option<&Mode> {
+    modes.iter().find(|mode| mode.naming.name == name)
+}
+
+fn grows(mode: &Mode) -> bool {
+    mode.stability == DynamicStability::Unstable
+}
+
+fn time_to_double(mode: &Mode) -> Option<(Quantity, f64)> {
+    mode.time_to_double().filter(|t| t.is_finite()).map(|t| (Quantity::TimeToDouble, t))
+}
+
+fn not_allowed(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>) -> Verdict {
+    Verdict {
+        criterion,
+        level: Level::Beyond,
+        on_boundary: false,
+        values,
+        governing: None,
+        paragraph: criterion.paragraph(),
+        table: criterion.table(category),
+    }
+}
+
+/// The best level all of whose requirements are met, and the limit that governs it.
+fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>, levels: &Levels) -> Verdict {
+    let value = |quantity: Quantity| values.iter().find(|(q, _)| *q == quantity).map(|(_, value)| *value);
+    // A quantity that is absent is met: what never doubles has no time to double.
+    let excess = |requirement: &Requirement| {
+        value(requirement.quantity).map(|value| {
+            if requirement.is_minimum { value - requirement.limit } else { requirement.limit - value }
+        })
+    };
+    // The best level if each value may be off by `slack` roundings of the limit.
+    let level_with = |slack: f64| {
+        let met = |r: &Requirement| excess(r).is_none_or(|excess| excess >= slack * rounding(r.limit));
+        [Level::One, Level::Two, Level::Three]
+            .into_iter()
+            .zip(levels)
+            .find(|(_, requirements)| requirements.iter().all(met))
+            .map_or(Level::Beyond, |(level, _)| level)
+    };
+    let level = level_with(0.0);
+    // The limits of Level 1, or of the next better level; the one missed by most or met by least, for its size.
+    let of = [Level::One, Level::One, Level::Two, Level::Three][level.number()];
+    let relative = |r: &Requirement| excess(r).map(|excess| excess / r.limit.abs().max(0.01));
+    let governing = levels[of.number()]
+        .iter()
+        .filter_map(|r| Some((relative(r)?, r)))
+        .min_by(|x, y| x.0.total_cmp(&y.0))
+        .and_then(|(_, r)| Some(Governing { requirement: *r, of, value: value(r.quantity)? }));
+    Verdict {
+        criterion,
+        level,
+        on_boundary: level_with(-1.0) != level_with(1.0),
+        governing,
+        paragraph: criterion.paragraph(),
+        table: criterion.table(category),
+        values,
+    }
+}
+
+/// Half a unit of the third significant digit of a limit; of a limit of zero, 0.0005.
+fn rounding(limit: f64) -> f64 {
+    let size = if limit == 0.0 { 0.1 } else { limit.abs() };
+    0.5 * 10_f64.powf(size.log10().floor() - 2.0)
+}

@@ -1,0 +1,165 @@
+//! Names of the lateral–directional modes: Dutch roll, roll subsidence, spiral, and what becomes of them.
+
+use super::naming::{
+    ModeName, Naming, Shape, faster_of_two_pairs, mean_share, naming, percent, real_roots_in_order,
+};
+use crate::number::significant;
+
+/// Beside two real roots a pair is the Dutch roll, unless it holds less than this share of v and r …
+///
+/// On every reference aircraft, with any one derivative from −1 to 3 times its value, a pair beside two real roots
+/// keeps at least 0.39; the Dutch roll that lost its stiffness is still the mode that was the Dutch roll.
+const ROLLING_PAIR: f64 = 0.3;
+
+/// … and the two real roots hold more than this share of them between them: then they are the Dutch roll, split.
+const YAWING_ROOTS: f64 = 0.6;
+
+/// A root that grows is a driven roll, and no spiral, if it is this many times the root that dies away.
+///
+/// No reference aircraft comes there with any one derivative from −1 to 3 times its value.
+const DRIVEN_ROLL: f64 = 3.0;
+
+/// Share of v and r, the states of the Dutch roll; p and φ, those of rolling, have the rest.
+fn yaw_share(shape: &Shape) -> f64 {
+    shape.participation[0] + shape.participation[2]
+}
+
+pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
+    let names = match shapes.len() {
+        2 => two_pairs(shapes),
+        3 => one_pair(shapes),
+        _ => four_roots(shapes),
+    };
+    shapes.iter().zip(names).map(|(shape, name)| explain(name, shape, shapes)).collect()
+}
+
+/// Two oscillations: the faster is the Dutch roll, the slower roll and spiral coupled.
+fn two_pairs(shapes: &[Shape]) -> Vec<ModeName> {
+    let faster = faster_of_two_pairs(shapes).unwrap_or(0);
+    (0..shapes.len())
+        .map(|i| if i == faster { ModeName::DutchRoll } else { ModeName::CoupledRollSpiral })
+        .collect()
+}
+
+/// One oscillation and two real roots.
+fn one_pair(shapes: &[Shape]) -> Vec<ModeName> {
+    let order = real_roots_in_order(shapes);
+    let split = mean_share(shapes, true, yaw_share) < ROLLING_PAIR
+        && mean_share(shapes, false, yaw_share) > YAWING_ROOTS;
+    let leftmost = order.first().copied();
+    let roll = if roll_is_on_the_right(shapes, &order) { order.last().copied() } else { leftmost };
+    (0..shapes.len())
+        .map(|i| match (shapes[i].oscillates(), leftmost == Some(i)) {
+            (true, _) if split => ModeName::CoupledRollSpiral,
+            (true, _) => ModeName::DutchRoll,
+            (false, true) if split => ModeName::DutchRollMoreStableRoot,
+            (false, false) if split => ModeName::DutchRollLessStableRoot,
+            (false, _) if roll == Some(i) => ModeName::RollSubsidence,
+            (false, _) => ModeName::Spiral,
+        })
+        .collect()
+}
+
+/// Roll is the greater |λ| of two real roots: the left one, unless the wing drives the roll so that it grows.
+fn roll_is_on_the_right(shapes: &[Shape], order: &[usize]) -> bool {
+    let [left, right] = order else { return false };
+    let (left, right) = (&shapes[*left], &shapes[*right]);
+    right.grows() && (left.grows() || right.lambda.norm() > DRIVEN_ROLL * left.lambda.norm())
+}
+
+/// Four real roots, named by their order and by how many grow.
+///
+/// Without directional stiffness the Dutch roll parts into ±√−N'β, with the spiral near zero between the two:
+/// from left to right roll, Dutch roll, spiral, Dutch roll. With two that grow both are the Dutch roll's, the
+/// spiral left of them; with none the spiral is the one nearest zero.
+fn four_roots(shapes: &[Shape]) -> Vec<ModeName> {
+    use ModeName::{
+        DutchRollLessStableRoot as Less, DutchRollMoreStableRoot as More, RollSubsidence, Spiral,
+    };
+    let growing = shapes.iter().filter(|s| s.grows()).count();
+    let in_order = match growing {
+        0 => [RollSubsidence, More, Less, Spiral],
+        1 => [RollSubsidence, More, Spiral, Less],
+        _ => [RollSubsidence, Spiral, More, Less],
+    };
+    let mut names = vec![Spiral; shapes.len()];
+    for (&i, name) in real_roots_in_order(shapes).iter().zip(in_order) {
+        names[i] = name;
+    }
+    names
+}
+
+fn explain(name: ModeName, shape: &Shape, shapes: &[Shape]) -> Naming {
+    let [_, p, _, phi] = shape.participation;
+    let yaw = yaw_share(shape);
+    let (yawing, rolling) = (percent(yaw), percent(1.0 - yaw));
+    let four = if shapes.len() == 4 { " All four roots are real, told apart by their order." } else { "" };
+    let (confidence, reason) = match name {
+        ModeName::DutchRoll => (
+            yaw,
+            format!(
+                "Sideslip and yaw rate carry {yawing} of it: the nose swings from side to side and the wings rock."
+            ),
+        ),
+        ModeName::CoupledRollSpiral => (
+            1.0 - yaw,
+            format!(
+                "Roll rate and bank angle carry {rolling} of it: roll subsidence and spiral have met and oscillate together."
+            ),
+        ),
+        ModeName::DutchRollMoreStableRoot => (
+            yaw,
+            format!(
+                "Sideslip and yaw rate carry {yawing} of it. The Dutch roll no longer oscillates: two real roots, this is the more stable.{four}"
+            ),
+        ),
+        ModeName::DutchRollLessStableRoot if shape.grows() => (
+            yaw,
+            format!(
+                "Sideslip and yaw rate carry {yawing} of it. The Dutch roll no longer oscillates: two real roots, and this one grows, the nose keeps swinging away.{four}"
+            ),
+        ),
+        ModeName::DutchRollLessStableRoot => (
+            yaw,
+            format!(
+                "Sideslip and yaw rate carry {yawing} of it. The Dutch roll no longer oscillates: two real roots, this is the less stable.{four}"
+            ),
+        ),
+        ModeName::RollSubsidence if shape.grows() => (
+            p,
+            format!(
+                "Roll rate carries {} of it, and it grows: the wing drives the roll on.{four}",
+                percent(p)
+            ),
+        ),
+        ModeName::RollSubsidence => (
+            p,
+            format!(
+                "Roll rate carries {} of it: a roll that dies out without oscillating.{four}",
+                percent(p)
+            ),
+        ),
+        _ if shape.grows() => (
+            phi,
+            format!(
+                "Bank angle carries {} of it, and it grows: the turn tightens slowly.{four}",
+                percent(phi)
+            ),
+        ),
+        _ => (phi, format!("Bank angle carries {} of it: the wings come level slowly.{four}", percent(phi))),
+    };
+    let reason = match neighbour(shape, shapes) {
+        Some(ratio) => {
+            format!("{reason} There are two oscillations; the faster is {ratio} times the slower in |λ|.")
+        }
+        None => reason,
+    };
+    naming(name, confidence, reason)
+}
+
+/// With two oscillations, the ratio of their |λ| in words.
+fn neighbour(shape: &Shape, shapes: &[Shape]) -> Option<String> {
+    let faster = faster_of_two_pairs(shapes)?;
+    let (fast, slow) = (shapes[faster].lambda.norm(), shapes[1 - faster].lambda.norm());
+    (shape.oscillates() && slow > 0.0).then(|| significant(fast / slow, 3))
+}

@@ -1,0 +1,236 @@
+//! Textbook approximations: NumPy's ratios to the exact modes, and the limits in which each is exact.
+
+mod reference;
+
+use eigenwing::flight::approximations::{
+    Approximation, ApproximationName as Name, ModeValue, approximations,
+};
+use eigenwing::flight::modes::modes;
+use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
+use nalgebra::{Matrix4, Matrix4x2};
+use proptest::prelude::*;
+use reference::{all_models, reference};
+use serde_json::Value;
+
+fn all(model: &PlaneModel) -> Vec<Approximation> {
+    approximations(model, &modes(model).expect("modes"))
+}
+
+fn one(model: &PlaneModel, name: Name) -> Approximation {
+    all(model).into_iter().find(|a| a.name == name).expect("every approximation is there")
+}
+
+const KEYS: [(&str, Plane, Name); 12] = [
+    ("sp_2dof", Plane::Longitudinal, Name::ShortPeriodTwoStates),
+    ("sp_1dof", Plane::Longitudinal, Name::ShortPeriodPitchOnly),
+    ("ph_lanchester", Plane::Longitudinal, Name::PhugoidLanchester),
+    ("ph_2dof", Plane::Longitudinal, Name::PhugoidTwoStates),
+    ("ph_residualised", Plane::Longitudinal, Name::PhugoidResidualised),
+    ("ph_quartic", Plane::Longitudinal, Name::PhugoidQuartic),
+    ("dr_2dof", Plane::Lateral, Name::DutchRollTwoStates),
+    ("dr_1dof", Plane::Lateral, Name::DutchRollYawOnly),
+    ("roll_Lp", Plane::Lateral, Name::RollDamping),
+    ("spiral_ED", Plane::Lateral, Name::SpiralPolynomial),
+    ("spiral_gV", Plane::Lateral, Name::SpiralWithGravity),
+    ("spiral_simple", Plane::Lateral, Name::SpiralQuick),
+];
+
+#[test]
+fn ratios_to_the_exact_modes_are_numpys() {
+    let file: Value = serde_json::from_str(include_str!("data/approximation_ratios.json")).expect("reads");
+    let mut compared = 0;
+    for case in file["cases"].as_array().expect("cases") {
+        let id = case["id"].as_str().expect("an id");
+        let reference = reference(id);
+        for (key, plane, name) in KEYS {
+            let Some(ratios) = case[key].as_array() else { continue };
+            let found = one(&reference.model(plane), name);
+            for (ratio, error) in ratios.iter().zip([found.error(), found.damping_error()]) {
+                let (ratio, error) = (ratio.as_f64().expect("a number"), error.expect("an error"));
+                // eight printed digits; a spiral of 10⁻³ 1/s among roots of 10 loses four of sixteen
+                assert!((error + 1.0 - ratio).abs() < 2e-7 * ratio, "{id} {key}: {} {ratio}", error + 1.0);
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+fn model(plane: Plane, rows: [[f64; 4]; 4]) -> PlaneModel {
+    PlaneModel {
+        plane,
+        a: Matrix4::from_fn(|i, j| rows[i][j]),
+        b: Matrix4x2::zeros(),
+        trim: Trim { speed: 50.0, alpha0: 0.0, gamma0: 0.0, gravity: 9.81 },
+    }
+}
+
+fn navion(plane: Plane, change: impl Fn(&mut Matrix4<f64>)) -> PlaneModel {
+    let mut model = reference("navion_teper_sl").model(plane);
+    change(&mut model.a);
+    model
+}
+
+fn assert_exact(model: &PlaneModel, name: Name, damping: bool, tolerance: f64) {
+    let found = one(model, name);
+    let error = found.error().expect("a value");
+    assert!(error.abs() < tolerance, "{name:?}: {error:e}");
+    if damping {
+        let error = found.damping_error().expect("a damping");
+        assert!(error.abs() < tolerance, "{name:?} ζ: {error:e}");
+    }
+}
+
+#[test]
+fn the_short_period_of_two_states_is_exact_without_changes_of_speed() {
+    let no_speed = |a: &mut Matrix4<f64>| {
+        a[(1, 0)] = 0.0;
+        a[(2, 0)] = 0.0;
+    };
+    assert_exact(&navion(Plane::Longitudinal, no_speed), Name::ShortPeriodTwoStates, true, 1e-12);
+    let nor_heave = |a: &mut Matrix4<f64>| {
+        no_speed(a);
+        a[(1, 1)] = 0.0;
+    };
+    assert_exact(&navion(Plane::Longitudinal, nor_heave), Name::ShortPeriodPitchOnly, true, 1e-12);
+}
+
+#[test]
+fn the_phugoid_at_constant_angle_of_attack_is_exact_for_great_stiffness() {
+    for stiffness in [1e2, 1e4, 1e6] {
+        let stiff = |a: &mut Matrix4<f64>| {
+            a[(2, 1)] *= stiffness;
+            a[(2, 0)] = 0.0;
+        };
+        // the error falls as 1/Mw
+        assert_exact(&navion(Plane::Longitudinal, stiff), Name::PhugoidTwoStates, true, 20.0 / stiffness);
+        let lanchester = |a: &mut Matrix4<f64>| {
+            stiff(a);
+            a[(0, 0)] = 0.0;
+            // Zu = −2g/V
+            a[(1, 0)] = 2.0 * a[(0, 3)] / a[(1, 2)];
+        };
+        assert_exact(
+            &navion(Plane::Longitudinal, lanchester),
+            Name::PhugoidLanchester,
+            false,
+            20.0 / stiffness,
+        );
+    }
+}
+
+#[test]
+fn the_slow_phugoid_is_exact_as_the_modes_part() {
+    for slowness in [1e-2, 1e-4, 1e-6] {
+        let slow = |a: &mut Matrix4<f64>| {
+            for j in 0..4 {
+                a[(0, j)] *= slowness;
+                a[(3, j)] *= slowness;
+            }
+        };
+        for name in [Name::PhugoidResidualised, Name::PhugoidQuartic] {
+            assert_exact(&navion(Plane::Longitudinal, slow), name, true, 10.0 * slowness);
+        }
+    }
+}
+
+#[test]
+fn the_dutch_roll_is_exact_without_rolling() {
+    let no_roll = |a: &mut Matrix4<f64>| {
+        a[(0, 1)] = 0.0;
+        a[(0, 3)] = 0.0;
+        a[(2, 1)] = 0.0;
+    };
+    assert_exact(&navion(Plane::Lateral, no_roll), Name::DutchRollTwoStates, true, 1e-12);
+    let nor_side_force = |a: &mut Matrix4<f64>| {
+        no_roll(a);
+        a[(0, 0)] = 0.0;
+    };
+    assert_exact(&navion(Plane::Lateral, nor_side_force), Name::DutchRollYawOnly, true, 1e-12);
+}
+
+#[test]
+fn the_roll_is_exact_without_sideslip_and_yaw_in_it() {
+    let alone = |a: &mut Matrix4<f64>| {
+        a[(1, 0)] = 0.0;
+        a[(1, 2)] = 0.0;
+    };
+    assert_exact(&navion(Plane::Lateral, alone), Name::RollDamping, false, 1e-12);
+}
+
+#[test]
+fn the_spiral_is_exact_as_it_becomes_neutral() {
+    for distance in [1e-2, 1e-4, 1e-6] {
+        // N'r beside its neutral value N'v L'r/L'v
+        let nearly_neutral = |a: &mut Matrix4<f64>| {
+            a[(2, 2)] = a[(2, 0)] * a[(1, 2)] / a[(1, 0)] * (1.0 + distance);
+        };
+        let no_side_force = |a: &mut Matrix4<f64>| {
+            nearly_neutral(a);
+            a[(0, 0)] = 0.0;
+        };
+        let nor_roll_damping = |a: &mut Matrix4<f64>| {
+            no_side_force(a);
+            a[(2, 1)] = 0.0;
+            a[(1, 1)] = 0.0;
+        };
+        let tolerance = 2.0 * distance + 1e-9;
+        assert_exact(&navion(Plane::Lateral, nearly_neutral), Name::SpiralPolynomial, false, tolerance);
+        assert_exact(&navion(Plane::Lateral, no_side_force), Name::SpiralWithGravity, false, tolerance);
+        let quick = approximations(&navion(Plane::Lateral, nor_roll_damping), &[]);
+        let value = |name| quick.iter().find(|a| a.name == name).and_then(|a| a.value).expect("a value");
+        // Without roll damping the roots' names are others; the polynomial's root stands for the exact one.
+        let (ModeValue::Root(quick), ModeValue::Root(exact)) =
+            (value(Name::SpiralQuick), value(Name::SpiralPolynomial))
+        else {
+            panic!("roots")
+        };
+        assert!((quick / exact - 1.0).abs() < 1e-9, "{quick} {exact}");
+    }
+}
+
+#[test]
+fn what_an_approximation_cannot_give_is_absent() {
+    // Mw > 0: no frequency in the pitch-only form.
+    let unstable = navion(Plane::Longitudinal, |a| a[(2, 1)] = 0.1);
+    assert_eq!(one(&unstable, Name::ShortPeriodPitchOnly).value, None);
+    assert_eq!(one(&unstable, Name::ShortPeriodPitchOnly).error(), None);
+    // nothing at all
+    for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for found in all(&model(plane, [[0.0; 4]; 4])) {
+            assert!(found.error().is_none());
+        }
+    }
+}
+
+#[test]
+fn every_approximation_says_what_it_leaves_out() {
+    for (_, model) in all_models() {
+        for found in all(&model) {
+            assert!(found.formula.contains('=') && found.neglects.ends_with('.'));
+            assert!(found.value.is_some() && found.exact.is_some());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_number_is_ever_not_finite(entries in proptest::collection::vec(prop_oneof![Just(0.0), -10.0..10.0_f64, -1e150..1e150_f64], 16), lateral in any::<bool>(), alpha0 in -3.2..3.2_f64) {
+        let mut model = model(if lateral { Plane::Lateral } else { Plane::Longitudinal }, [[0.0; 4]; 4]);
+        model.a = Matrix4::from_row_slice(&entries);
+        model.trim.alpha0 = alpha0;
+        let modes = modes(&model).unwrap_or_default();
+        for found in approximations(&model, &modes) {
+            for value in [found.value, found.exact].into_iter().flatten() {
+                let finite = match value {
+                    ModeValue::SecondOrder { natural_frequency, damping_ratio } => natural_frequency.is_finite() && damping_ratio.is_none_or(f64::is_finite),
+                    ModeValue::Root(root) => root.is_finite(),
+                };
+                prop_assert!(finite, "{:?}", found);
+            }
+            prop_assert!(found.error().is_none_or(f64::is_finite) && found.damping_error().is_none_or(f64::is_finite));
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Static stability of both planes: signs, the Navion's neutral and manoeuvre points, and its spiral.
+
+mod reference;
+
+use eigenwing::flight::modes::{DynamicStability, modes, modes_of};
+use eigenwing::flight::plane::{Plane, PlaneModel};
+use eigenwing::flight::static_stability::{
+    PlaneStiffness, StaticVerdict, manoeuvre_margin, plane_static_stability, static_margin,
+};
+use nalgebra::Matrix4;
+use proptest::prelude::*;
+use reference::{NAVION_M_W, all_models, navion_with_m_w, reference, references, sweeps};
+
+fn navion(plane: Plane) -> PlaneModel {
+    reference("navion_teper_sl").model(plane)
+}
+
+#[test]
+fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
+    for reference in references() {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            match plane_static_stability(&reference.model(plane)).stiffness {
+                PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
+                    assert_eq!(m_w.verdict, StaticVerdict::Stable, "{}", reference.id);
+                    assert!(to_manoeuvre_point.expect("a speed") > 0.0);
+                }
+                PlaneStiffness::Lateral { n_v, l_v, .. } => {
+                    assert_eq!((n_v.verdict, l_v.verdict), (StaticVerdict::Stable, StaticVerdict::Stable));
+                    assert!(n_v.value > 0.0 && l_v.value < 0.0, "{}", reference.id);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_unstable_real_root_alone_is_what_the_verdict_means() {
+    for (id, model) in all_models() {
+        let growing = modes(&model).expect("modes");
+        let growing = growing
+            .iter()
+            .filter(|m| !m.is_oscillatory() && m.stability == DynamicStability::Unstable)
+            .count();
+        let expected = if growing % 2 == 0 { StaticVerdict::Stable } else { StaticVerdict::Unstable };
+        assert_eq!(plane_static_stability(&model).verdict, expected, "{id}");
+    }
+}
+
+#[test]
+fn the_navion_is_neutral_at_no_stiffness_and_manoeuvres_until_the_manoeuvre_point() {
+    let at = |factor: f64| {
+        plane_static_stability(&PlaneModel { a: navion_with_m_w(factor), ..navion(Plane::Longitudinal) })
+    };
+    let verdicts = [1.0, 1e-9, 0.0, -1e-9].map(|factor| at(factor).verdict);
+    use StaticVerdict::{Neutral, Stable, Unstable};
+    assert_eq!(verdicts, [Stable, Stable, Neutral, Unstable]);
+    let PlaneStiffness::Longitudinal { to_manoeuvre_point, .. } = at(1.0).stiffness else { panic!("pitch") };
+    // Mw = Zw Mq/V = +0.023887 1/(ft·s)
+    let point = NAVION_M_W + to_manoeuvre_point.expect("a speed");
+    assert!((point * 0.3048 / sweeps().manoeuvre_point_m_w - 1.0).abs() < 1e-6, "{point}");
+}
+
+#[test]
+fn the_margins_are_those_of_the_coefficients() {
+    // Cm_α = −0.683, CL_α = 4.44 of the Navion: 15.4 % of the chord
+    let margin = static_margin(-0.683, 4.44).expect("a margin");
+    assert!((margin - 0.15383).abs() < 1e-5);
+    // ρ 0.002378 slug/ft³, S 184 ft², c 5.7 ft, m 85.4 slug, Cm_q −9.96: 7.27 % behind
+    let manoeuvre = manoeuvre_margin(margin, -9.96, 0.002378, 184.0, 5.7, 85.4).expect("a margin");
+    assert!((manoeuvre - margin - 0.07272).abs() < 1e-5, "{manoeuvre}");
+    // The same from M_w: both distances are to each other as the margins, but for the drag beside CL_α (1.1 %).
+    let PlaneStiffness::Longitudinal { to_manoeuvre_point, .. } =
+        plane_static_stability(&navion(Plane::Longitudinal)).stiffness
+    else {
+        panic!("pitch")
+    };
+    let ratio = to_manoeuvre_point.expect("a speed") / -NAVION_M_W;
+    assert!((ratio / (manoeuvre / margin) - 1.0).abs() < 0.012, "{ratio}");
+    assert_eq!((static_margin(-1.0, 0.0), manoeuvre_margin(0.1, -9.0, 1.2, 17.0, 1.7, 0.0)), (None, None));
+}
+
+#[test]
+fn the_navions_spiral_is_neutral_where_the_condition_is() {
+    let factor = sweeps().spiral_neutral_l_beta_factor;
+    let condition = |factor: f64| {
+        let mut model = navion(Plane::Lateral);
+        model.a[(1, 0)] *= factor;
+        let PlaneStiffness::Lateral { spiral, .. } = plane_static_stability(&model).stiffness else {
+            panic!("yaw and roll")
+        };
+        (spiral, plane_static_stability(&model).verdict)
+    };
+    let (one, _) = condition(1.0);
+    assert!(condition(factor).0.value.abs() < 1e-6 * one.value);
+    use StaticVerdict::{Stable, Unstable};
+    for (by, expected) in [(1.001, Stable), (0.999, Unstable)] {
+        let (spiral, verdict) = condition(factor * by);
+        assert_eq!((spiral.verdict, verdict), (expected, expected));
+    }
+}
+
+#[test]
+fn static_stability_is_neither_needed_nor_enough_for_dynamic_stability() {
+    // The lesson's printed matrix: det A = +18 and an oscillation that grows.
+    let a = Matrix4::from_row_slice(&[
+        -0.045, 0.036, 0.0, -9.81, -0.369, -2.02, 1.76, 0.0, 0.191, -3.96, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
+    ]);
+    let found = plane_static_stability(&PlaneModel { a, ..navion(Plane::Longitudinal) });
+    assert_eq!(found.verdict, StaticVerdict::Stable);
+    let modes = modes_of(Plane::Longitudinal, &a).expect("modes");
+    assert!(modes.iter().any(|mode| mode.stability == DynamicStability::Unstable));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_number_is_ever_not_finite(entries in proptest::collection::vec(prop_oneof![Just(0.0), -10.0..10.0_f64, -1e75..1e75_f64], 16), lateral in any::<bool>()) {
+        let mut model = navion(if lateral { Plane::Lateral } else { Plane::Longitudinal });
+        model.a = Matrix4::from_row_slice(&entries);
+        let found = plane_static_stability(&model);
+        prop_assert!(found.determinant.is_finite());
+        match found.stiffness {
+            PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => prop_assert!(m_w.value.is_finite() && to_manoeuvre_point.is_none_or(f64::is_finite)),
+            PlaneStiffness::Lateral { n_v, l_v, spiral } => prop_assert!([n_v, l_v, spiral].iter().all(|s| s.value.is_finite())),
+        }
+    }
+}
