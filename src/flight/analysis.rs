@@ -1,15 +1,19 @@
-//! The one entry point: everything that follows from a model and an experiment.
+//! The one entry point: everything that follows from an edited study and an experiment.
 
 use nalgebra::Vector4;
 use thiserror::Error;
 
+use super::approximations::{Approximation, approximations};
+use super::edits::{Edited, gust_column};
 use super::eigen::EigenError;
+use super::handling_qualities::{Verdict, handling_qualities};
 use super::inputs::Input;
-use super::linear::{Longitudinal, LongitudinalModel};
-use super::modes::{DynamicStability, Mode, modes_of};
-use super::plane::Plane;
+use super::mil_f_8785c::{Category, Class};
+use super::modes::{DynamicStability, Mode, modes};
+use super::plane::{Plane, PlaneModel};
 use super::response::{Response, TimeGrid, respond};
-use super::static_stability::{StaticStability, static_stability};
+use super::static_stability::{PlaneStaticStability, plane_static_stability};
+use super::study::{Models, StudyError};
 
 /// Standard acceleration of free fall g \[m/s²\] (CGPM 1901).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -17,21 +21,34 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 /// Where a disturbance enters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
-    /// Elevator deflection \[rad\], trailing edge down positive.
-    Elevator,
-    /// Vertical gust w_g \[m/s\], downward positive, through −A\[:, w\].
-    VerticalGust,
+    /// The first input of the plane \[rad\]: elevator, trailing edge down positive, or aileron in the source's sense.
+    First,
+    /// The second: throttle as a fraction of the weight, or rudder \[rad\], trailing edge left positive.
+    Second,
+    /// Air moving across the flight \[m/s\]: w_g downward positive, or v_g to the right positive.
+    Gust,
 }
 
 /// One disturbance and the time for which it is watched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Experiment {
-    /// Where the disturbance enters.
+    /// The plane that it disturbs.
+    pub plane: Plane,
+    /// Where it enters.
     pub channel: Channel,
     /// Its shape in time.
     pub input: Input,
     /// The samples at which the motion is wanted.
     pub grid: TimeGrid,
+}
+
+/// What a specification is applied for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Task {
+    /// Class of aircraft.
+    pub class: Class,
+    /// Category of flight phase.
+    pub category: Category,
 }
 
 /// Gravity in the model beside gravity at the Earth's surface.
@@ -53,26 +70,53 @@ impl GravityCheck {
     }
 }
 
-/// Everything that follows from a model and an experiment. Nothing here is saved: it can always be had again.
+/// Everything that follows for one plane of motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Analysis {
-    /// The modes, short period first, each conjugate pair once.
+pub struct PlaneAnalysis {
+    /// The model.
+    pub model: PlaneModel,
+    /// The modes in the order of their names, each conjugate pair once.
     pub modes: Vec<Mode>,
     /// The verdict on the whole: that of its worst mode.
     pub dynamic_stability: DynamicStability,
     /// Static stability, a verdict of its own.
-    pub static_stability: StaticStability,
-    /// Gravity beside speed, to catch mixed units.
-    pub gravity: GravityCheck,
-    /// The motion in the experiment.
+    pub static_stability: PlaneStaticStability,
+    /// Textbook approximations beside the exact modes.
+    pub approximations: Vec<Approximation>,
+    /// Handling qualities after MIL-F-8785C, where the aircraft has a class.
+    pub levels: Vec<Verdict>,
+}
+
+/// The motion in an experiment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// The plane in which it moves.
+    pub plane: Plane,
+    /// The states.
     pub response: Response,
     /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
     pub small_until: Option<f64>,
 }
 
-/// Why a model can't be analysed.
+/// Everything that follows from an edited study and an experiment. Nothing here is saved: it can always be had again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Analysis {
+    /// Longitudinal motion, or why there is none; `None` where the aircraft has no data of it.
+    pub longitudinal: Option<Result<PlaneAnalysis, AnalysisError>>,
+    /// Lateral–directional motion, likewise.
+    pub lateral: Option<Result<PlaneAnalysis, AnalysisError>>,
+    /// Gravity beside speed, to catch mixed units; of the longitudinal model.
+    pub gravity: Option<GravityCheck>,
+    /// The motion in the experiment, where its plane has a model.
+    pub motion: Option<Motion>,
+}
+
+/// Why something can't be analysed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AnalysisError {
+    /// There is no such aircraft or no such steady flight.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// The eigenvalues could not be had.
     #[error(transparent)]
     Eigen(#[from] EigenError),
@@ -81,44 +125,76 @@ pub enum AnalysisError {
     TrimSpeed(f64),
 }
 
-/// Analyses one aircraft in one experiment. Pure and total: equal arguments give equal answers, and what can't
-/// be analysed is an error with a sentence.
-pub fn analyse(model: &LongitudinalModel, experiment: &Experiment) -> Result<Analysis, AnalysisError> {
-    if !(model.u0.is_finite() && model.u0 > 0.0) {
-        return Err(AnalysisError::TrimSpeed(model.u0));
+impl Analysis {
+    /// What follows for a plane; `None` where the aircraft has no data of it.
+    pub fn of(&self, plane: Plane) -> Option<&Result<PlaneAnalysis, AnalysisError>> {
+        match plane {
+            Plane::Longitudinal => self.longitudinal.as_ref(),
+            Plane::Lateral => self.lateral.as_ref(),
+        }
     }
-    let modes = modes(model)?;
-    let dynamic_stability = worst(modes.iter().map(|mode| mode.stability));
-    let b = match experiment.channel {
-        Channel::Elevator => model.b_elevator,
-        Channel::VerticalGust => model.b_vertical_gust(),
+}
+
+/// Analyses one aircraft in one experiment. Pure and total: equal arguments give equal answers; what can't be analysed is an
+/// error with a sentence, and leaves the other plane alone.
+pub fn analyse(edited: &Edited, task: Option<Task>, experiment: &Experiment) -> Result<Analysis, AnalysisError> {
+    let Models { longitudinal, lateral, problems } = edited.models()?;
+    let gravity = longitudinal.as_ref().and_then(gravity_check);
+    let disturbed = match experiment.plane {
+        Plane::Longitudinal => &longitudinal,
+        Plane::Lateral => &lateral,
     };
-    let response = respond(&model.a, &b, &experiment.input, experiment.grid);
+    let motion = disturbed.as_ref().map(|model| motion(model, experiment));
+    let problem = |plane: Plane| problems.iter().copied().find(|problem| problem.plane() == Some(plane));
+    let plane = |model: Option<PlaneModel>, plane: Plane| match model {
+        Some(model) => Some(analyse_plane(model, task)),
+        None => problem(plane).map(|problem| Err(problem.into())),
+    };
     Ok(Analysis {
-        dynamic_stability,
-        static_stability: static_stability(model),
-        gravity: gravity_check(model),
-        small_until: small_until(&response, model.u0),
-        response,
-        modes,
+        longitudinal: plane(longitudinal, Plane::Longitudinal),
+        lateral: plane(lateral, Plane::Lateral),
+        gravity,
+        motion,
     })
 }
 
-/// When a motion first leaves |u| ≤ U₀/2, |w|/U₀ ≤ 0.35 (α = 20°, about the stall), |θ| ≤ 1 rad; `None` if it never does.
+fn analyse_plane(model: PlaneModel, task: Option<Task>) -> Result<PlaneAnalysis, AnalysisError> {
+    let speed = model.trim.speed;
+    if !(speed.is_finite() && speed > 0.0) {
+        return Err(AnalysisError::TrimSpeed(speed));
+    }
+    let modes = modes(&model)?;
+    Ok(PlaneAnalysis {
+        dynamic_stability: worst(modes.iter().map(|mode| mode.stability)),
+        static_stability: plane_static_stability(&model),
+        approximations: approximations(&model, &modes),
+        levels: task.map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),
+        modes,
+        model,
+    })
+}
+
+fn motion(model: &PlaneModel, experiment: &Experiment) -> Motion {
+    let b = match experiment.channel {
+        Channel::First => model.b.column(0).into_owned(),
+        Channel::Second => model.b.column(1).into_owned(),
+        Channel::Gust => gust_column(model),
+    };
+    let response = respond(&model.a, &b, &experiment.input, experiment.grid);
+    Motion { plane: model.plane, small_until: small_until(model, &response), response }
+}
+
+/// When a motion first leaves |u| ≤ V/2, α, β ≤ 0.35 rad (20°, about the stall), attitude ≤ 1 rad; `None` if it never does.
 ///
 /// Beyond these the linear equations are no approximation of anything. The limits are ours, and generous.
-fn small_until(response: &Response, u0: f64) -> Option<f64> {
-    let small = |x: &Vector4<f64>| {
-        let [u, w, _, theta] = (*x).into();
-        u.abs() <= 0.5 * u0 && w.abs() <= 0.35 * u0 && theta.abs() <= 1.0
+fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
+    let v = model.trim.speed;
+    let small = |x: &Vector4<f64>| match model.plane {
+        Plane::Longitudinal => x[0].abs() <= 0.5 * v && x[1].abs() <= 0.35 * v && x[3].abs() <= 1.0,
+        Plane::Lateral => x[0].abs() <= 0.35 * v && x[3].abs() <= 1.0,
     };
     let k = response.states.iter().position(|x| !small(x))?;
     Some(k as f64 * response.dt)
-}
-
-/// The named modes of a longitudinal model, short period first.
-pub fn modes(model: &LongitudinalModel) -> Result<Vec<Mode>, EigenError> {
-    modes_of(Plane::Longitudinal, &model.a)
 }
 
 fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {
@@ -129,8 +205,9 @@ fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {
     })
 }
 
-fn gravity_check(model: &LongitudinalModel) -> GravityCheck {
+fn gravity_check(model: &PlaneModel) -> Option<GravityCheck> {
     // The u row of A carries −g cos θ₀ in the θ column.
-    let g_cos_theta0 = -model.a[(Longitudinal::U.index(), Longitudinal::Theta.index())];
-    GravityCheck { rate: g_cos_theta0 / model.u0, expected_rate: STANDARD_GRAVITY / model.u0 }
+    let u0 = model.trim.u0();
+    let check = GravityCheck { rate: -model.a[(0, 3)] / u0, expected_rate: STANDARD_GRAVITY / u0 };
+    check.rate.is_finite().then_some(check)
 }

@@ -30,6 +30,7 @@ pub mod coefficients;
 pub mod condition;
 pub mod derivatives;
 pub mod dual;
+pub mod edits;
 pub mod eigen;
 pub mod handling_qualities;
 pub mod inputs;

@@ -25,15 +25,32 @@ pub enum Dimension {
     AngularRate,
     /// Seconds.
     Time,
+    /// No unit.
+    Number,
+    /// Per radian: coefficients.
+    PerRadian,
+    /// A ratio, shown in per cent.
+    Percent,
+    /// Metres, always.
+    Length,
+    /// 1/length, in the aircraft's unit of length.
+    PerLength,
 }
 
 impl Dimension {
     /// One of the shown unit in SI.
     pub fn in_si(self, length: LengthUnit) -> f64 {
         match self {
-            Self::PerSecond | Self::PerSecondSquared | Self::AirSpeed | Self::Time => 1.0,
+            Self::PerSecond
+            | Self::PerSecondSquared
+            | Self::AirSpeed
+            | Self::Time
+            | Self::Number
+            | Self::PerRadian
+            | Self::Length => 1.0,
+            Self::Percent => 0.01,
             Self::Speed | Self::Acceleration => length.metres(),
-            Self::PerLengthSecond => 1.0 / length.metres(),
+            Self::PerLengthSecond | Self::PerLength => 1.0 / length.metres(),
             Self::Angle | Self::AngularRate => PI / 180.0,
         }
     }
@@ -52,6 +69,12 @@ impl Dimension {
             (Self::Angle, _) => "deg",
             (Self::AngularRate, _) => "deg/s",
             (Self::Time, _) => "s",
+            (Self::Number, _) => "",
+            (Self::PerRadian, _) => "1/rad",
+            (Self::Percent, _) => "%",
+            (Self::Length, _) => "m",
+            (Self::PerLength, LengthUnit::Metre) => "1/m",
+            (Self::PerLength, LengthUnit::HundredFeet) => "1/(100 ft)",
         }
     }
 }

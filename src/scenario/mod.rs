@@ -7,20 +7,24 @@ pub mod parameters;
 use std::sync::Arc;
 
 use crate::content::Aircraft;
-use crate::flight::linear::LongitudinalModel;
+use crate::flight::analysis::Task;
+use crate::flight::edits::Edited;
+use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError, analyse};
 
 pub use dimension::Dimension;
 pub use disturbance::{Disturbance, DisturbanceKind, START};
-pub use parameters::{PARAMETERS, Parameter, ValueError};
+pub use parameters::{Page, Parameter, ValueError, parameters};
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
     /// The aircraft as its file has it: the reference of every slider.
     pub aircraft: Arc<Aircraft>,
-    /// Its model as edited, SI.
-    pub model: LongitudinalModel,
+    /// The aircraft as edited, SI.
+    pub edited: Edited,
+    /// The plane of motion that is studied.
+    pub plane: Plane,
     /// What disturbs it, and for how long it is watched.
     pub disturbance: Disturbance,
 }
@@ -28,12 +32,18 @@ pub struct Scenario {
 impl Scenario {
     /// An aircraft as its file has it, put through the first disturbance a person sees.
     pub fn new(aircraft: Arc<Aircraft>) -> Self {
-        Self { model: aircraft.longitudinal.clone(), aircraft, disturbance: Disturbance::default() }
+        Self {
+            edited: Edited::new(aircraft.study.clone()),
+            aircraft,
+            plane: Plane::Longitudinal,
+            disturbance: Disturbance::default(),
+        }
     }
 
     /// The same disturbance with another aircraft.
     pub fn with_aircraft(&self, aircraft: Arc<Aircraft>) -> Self {
-        Self { disturbance: self.disturbance, ..Self::new(aircraft) }
+        let plane = if aircraft.notes_of(self.plane).is_some() { self.plane } else { Plane::Longitudinal };
+        Self { disturbance: self.disturbance, plane, ..Self::new(aircraft) }
     }
 
     /// The same aircraft and disturbance with every derivative back at its reference.
@@ -41,13 +51,18 @@ impl Scenario {
         self.with_aircraft(self.aircraft.clone())
     }
 
-    /// Whether any derivative differs from the reference.
+    /// Whether anything of the aircraft differs from the reference.
     pub fn is_edited(&self) -> bool {
-        self.model != self.aircraft.longitudinal
+        self.edited != Edited::new(self.aircraft.study.clone())
+    }
+
+    /// The task for which handling qualities are judged, where the aircraft's file names one.
+    pub fn task(&self) -> Option<Task> {
+        Some(Task { class: self.aircraft.class?, category: self.aircraft.phase? })
     }
 
     /// Everything that follows from it.
     pub fn analyse(&self) -> Result<Analysis, AnalysisError> {
-        analyse(&self.model, &self.disturbance.experiment())
+        analyse(&self.edited, self.task(), &self.disturbance.experiment(self.plane))
     }
 }

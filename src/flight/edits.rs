@@ -1,0 +1,115 @@
+//! A study with what a person has changed beyond it: offsets on dimensional derivatives and on entries of the matrices.
+//!
+//! ```text
+//! coefficients, knobs, condition ──► derivatives + offsets ──► A, B + offsets
+//! ```
+//!
+//! An offset stays while what lies before it changes, so every page of sliders can be edited at any time.
+
+use nalgebra::{Matrix4, Matrix4x2};
+
+use super::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives};
+use super::plane::{Plane, PlaneModel};
+use super::study::{DerivativeStudy, Models, Study, StudyError};
+
+/// What a person has added to the derivatives and matrices that follow from a study; all zero at first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Offsets {
+    /// Added to the longitudinal derivatives.
+    pub longitudinal: LongitudinalDerivatives,
+    /// Added to the lateral derivatives.
+    pub lateral: LateralDerivatives,
+    /// Added to the matrices of the longitudinal model.
+    pub longitudinal_matrices: MatrixOffsets,
+    /// Added to the matrices of the lateral model.
+    pub lateral_matrices: MatrixOffsets,
+}
+
+/// Added to A and B.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MatrixOffsets {
+    /// Added to A.
+    pub a: Matrix4<f64>,
+    /// Added to B.
+    pub b: Matrix4x2<f64>,
+}
+
+impl Offsets {
+    /// Those on the matrices of a plane.
+    pub fn matrices(&self, plane: Plane) -> &MatrixOffsets {
+        match plane {
+            Plane::Longitudinal => &self.longitudinal_matrices,
+            Plane::Lateral => &self.lateral_matrices,
+        }
+    }
+
+    /// Those on the matrices of a plane, to change.
+    pub fn matrices_mut(&mut self, plane: Plane) -> &mut MatrixOffsets {
+        match plane {
+            Plane::Longitudinal => &mut self.longitudinal_matrices,
+            Plane::Lateral => &mut self.lateral_matrices,
+        }
+    }
+}
+
+/// A study and the offsets on what follows from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edited {
+    /// Coefficients, knobs and flight condition, or whatever the source has.
+    pub study: Study,
+    /// Beyond it.
+    pub offsets: Offsets,
+}
+
+impl Edited {
+    /// A study as it is.
+    pub fn new(study: Study) -> Self {
+        Self { study, offsets: Offsets::default() }
+    }
+
+    /// Dimensional derivatives with their offsets; `None` where the source has bare matrices.
+    pub fn derivatives(&self) -> Result<Option<DerivativeStudy>, StudyError> {
+        let Some(mut study) = self.study.to_derivatives()? else { return Ok(None) };
+        if let Some(d) = &mut study.longitudinal {
+            for row in &LONGITUDINAL_DERIVATIVES {
+                *(row.field.of)(d) += row.field.get(&self.offsets.longitudinal);
+            }
+        }
+        if let Some(d) = &mut study.lateral {
+            for row in &LATERAL_DERIVATIVES {
+                *(row.field.of)(d) += row.field.get(&self.offsets.lateral);
+            }
+        }
+        Ok(Some(study))
+    }
+
+    /// The models before the offsets on their matrices.
+    pub fn models_of_derivatives(&self) -> Result<Models, StudyError> {
+        match self.derivatives()? {
+            Some(derivatives) => Ok(derivatives.models()),
+            None => self.study.models(),
+        }
+    }
+
+    /// The models of both planes.
+    pub fn models(&self) -> Result<Models, StudyError> {
+        let mut models = self.models_of_derivatives()?;
+        for model in [&mut models.longitudinal, &mut models.lateral].into_iter().flatten() {
+            let offsets = self.offsets.matrices(model.plane);
+            model.a += offsets.a;
+            model.b += offsets.b;
+        }
+        Ok(models)
+    }
+}
+
+/// The column by which air moving across the flight enters, −A\[:, w\] or −A\[:, v\].
+///
+/// The aerodynamic terms feel w − w_g; the w column of A is purely aerodynamic, the kinematic U₀ stands in the q column
+/// (Etkin, *Dynamics of Atmospheric Flight*, §13.2), and so for v. Penetration is left out.
+pub fn gust_column(model: &PlaneModel) -> nalgebra::Vector4<f64> {
+    match model.plane {
+        Plane::Longitudinal => -model.a.column(1),
+        Plane::Lateral => -model.a.column(0),
+    }
+}

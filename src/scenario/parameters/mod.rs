@@ -1,0 +1,390 @@
+//! The one table of adjustable quantities. A row is a slider, a name for screen readers, and a range that tests walk to
+//! both ends. One file a page of sliders.
+
+mod coefficients;
+mod dimensional;
+mod disturbance;
+mod knobs;
+mod matrix;
+
+use std::ops::RangeInclusive;
+
+use thiserror::Error;
+
+use super::{Dimension, Disturbance, Scenario};
+use crate::flight::coefficients::{LateralCoefficients, LongitudinalCoefficients};
+use crate::flight::condition::FlightCondition;
+use crate::flight::derivatives::{LateralDerivatives, LongitudinalDerivatives};
+use crate::flight::knobs::Knobs;
+use crate::flight::plane::Plane;
+use crate::flight::study::Study;
+use crate::number::significant;
+
+/// A page of sliders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Page {
+    /// Nondimensional coefficients, and the knobs that move them.
+    Coefficients,
+    /// Dimensional derivatives.
+    Dimensional,
+    /// Entries of A and B.
+    Matrix,
+    /// What disturbs the aircraft; not a page of its own.
+    Disturbance,
+}
+
+impl Page {
+    /// The pages of the derivatives pane, in its order.
+    pub const DERIVATIVES: [Self; 3] = [Self::Coefficients, Self::Dimensional, Self::Matrix];
+
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Coefficients => "Coefficients",
+            Self::Dimensional => "Dimensional",
+            Self::Matrix => "Matrix",
+            Self::Disturbance => "Disturbance",
+        }
+    }
+}
+
+/// What a parameter multiplies or belongs to, in the order of the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Speed u, and the steady forces.
+    Speed,
+    /// Angle of attack, or w.
+    AngleOfAttack,
+    /// Its rate, or ẇ.
+    AngleOfAttackRate,
+    /// Pitch rate q.
+    PitchRate,
+    /// Sideslip, or v.
+    Sideslip,
+    /// Roll rate p.
+    RollRate,
+    /// Yaw rate r.
+    YawRate,
+    /// Gravity: θ or φ.
+    Attitude,
+    /// Elevator.
+    Elevator,
+    /// Throttle.
+    Throttle,
+    /// Aileron.
+    Aileron,
+    /// Rudder.
+    Rudder,
+    /// Knobs of the aircraft and its flight.
+    Aircraft,
+    /// The disturbance.
+    Disturbance,
+}
+
+impl Group {
+    /// The groups of the derivatives pane, in its order.
+    pub const DERIVATIVES: [Self; 13] = [
+        Self::Speed,
+        Self::AngleOfAttack,
+        Self::AngleOfAttackRate,
+        Self::PitchRate,
+        Self::Sideslip,
+        Self::RollRate,
+        Self::YawRate,
+        Self::Attitude,
+        Self::Elevator,
+        Self::Throttle,
+        Self::Aileron,
+        Self::Rudder,
+        Self::Aircraft,
+    ];
+
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Speed => "Speed",
+            Self::AngleOfAttack => "Angle of attack",
+            Self::AngleOfAttackRate => "Rate of angle of attack",
+            Self::PitchRate => "Pitch rate",
+            Self::Sideslip => "Sideslip",
+            Self::RollRate => "Roll rate",
+            Self::YawRate => "Yaw rate",
+            Self::Attitude => "Gravity",
+            Self::Elevator => "Elevator",
+            Self::Throttle => "Throttle",
+            Self::Aileron => "Aileron",
+            Self::Rudder => "Rudder",
+            Self::Aircraft => "Aircraft and flight condition",
+            Self::Disturbance => "Disturbance",
+        }
+    }
+}
+
+/// Where a parameter lives in the scenario.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    LongitudinalCoefficient(fn(&mut LongitudinalCoefficients) -> &mut f64),
+    LateralCoefficient(fn(&mut LateralCoefficients) -> &mut f64),
+    Knob(fn(&mut Knobs) -> &mut f64),
+    Condition(fn(&mut FlightCondition) -> &mut f64),
+    LongitudinalDerivative(fn(&mut LongitudinalDerivatives) -> &mut f64),
+    LateralDerivative(fn(&mut LateralDerivatives) -> &mut f64),
+    /// Entry of A: row, column, and −1 where the book writes it with a minus sign.
+    A(Plane, usize, usize, f64),
+    /// Entry of B: row and column.
+    B(Plane, usize, usize),
+    Disturbance(fn(&mut Disturbance) -> &mut f64),
+}
+
+/// Range of a slider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Extent {
+    /// From `low` to `high` times the size of the reference value, or of `floor` where that is larger.
+    /// The floor is in units of 1/s or 1/s² and is taken times or over V where the parameter's unit has a length.
+    Relative { low: f64, high: f64, floor: f64 },
+    /// From zero to five times standard gravity, and beyond where the reference itself is beyond.
+    Gravity,
+    /// Fixed, SI.
+    Fixed { low: f64, high: f64 },
+}
+
+/// One adjustable quantity: a row of the table.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Short name, never changed once published.
+    pub key: &'static str,
+    /// Symbol as the book writes it, in the notation of the page's symbols.
+    pub symbol: &'static str,
+    /// Name in words, for screen readers and the help card.
+    pub name: &'static str,
+    /// The page it stands on.
+    pub page: Page,
+    /// The plane whose page shows it; `None` for both.
+    pub plane: Option<Plane>,
+    /// Where it stands on the page.
+    pub group: Group,
+    /// Its dimension, for its unit.
+    pub dimension: Dimension,
+    /// What it means, in a sentence.
+    pub meaning: &'static str,
+    /// The sign that stabilises, or what the sign does.
+    pub sign: &'static str,
+    /// The part of the aircraft it comes from; of a knob, the relation it uses.
+    pub origin: &'static str,
+    place: Place,
+    extent: Extent,
+}
+
+/// Why a value was refused.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ValueError {
+    /// The text isn't a number.
+    #[error("“{0}” is not a number; type one such as −0.35 or 2e-3")]
+    NotANumber(String),
+    /// NaN or infinite.
+    #[error("only a finite number can be used here")]
+    NotFinite,
+    /// Beyond anything with a meaning.
+    #[error("{value} is beyond anything meaningful here: {low} to {high} {unit} is accepted")]
+    Absurd {
+        /// The refused value, in the shown unit.
+        value: String,
+        /// Least accepted value, in the shown unit.
+        low: String,
+        /// Greatest accepted value, in the shown unit.
+        high: String,
+        /// The shown unit.
+        unit: &'static str,
+    },
+}
+
+/// A derivative may be typed up to this many times its slider's extent; beyond that it is a slip of the finger.
+const TYPED_BEYOND: f64 = 100.0;
+
+/// Every row of the table, in the order of the pages.
+pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
+    coefficients::ROWS
+        .iter()
+        .chain(&knobs::ROWS)
+        .chain(&dimensional::ROWS)
+        .chain(&matrix::ROWS)
+        .chain(&disturbance::ROWS)
+}
+
+impl Parameter {
+    /// The row with this key.
+    pub fn find(key: &str) -> Option<&'static Self> {
+        parameters().find(|p| p.key == key)
+    }
+
+    /// Whether this aircraft has it: its source goes back that far, and the number is not zero by its structure.
+    pub fn applies(&self, scenario: &Scenario) -> bool {
+        self.value(scenario).is_some()
+    }
+
+    /// Its value \[SI\]; zero where the aircraft has none.
+    pub fn get(&self, scenario: &Scenario) -> f64 {
+        self.value(scenario).unwrap_or(0.0)
+    }
+
+    /// Its value \[SI\], if the aircraft has it.
+    fn value(&self, scenario: &Scenario) -> Option<f64> {
+        let edited = &scenario.edited;
+        let of_coefficients = match &edited.study {
+            Study::Coefficients(study) => Some(study),
+            Study::Derivatives(_) | Study::Matrices(_) => None,
+        };
+        match self.place {
+            Place::LongitudinalCoefficient(of) => {
+                of_coefficients.map(|study| read(of, &study.coefficients.longitudinal))
+            }
+            Place::LateralCoefficient(of) => Some(read(of, of_coefficients?.coefficients.lateral.as_ref()?)),
+            Place::Knob(of) => of_coefficients.map(|study| read(of, &study.knobs)),
+            Place::Condition(of) => of_coefficients.map(|study| read(of, &study.condition)),
+            Place::LongitudinalDerivative(of) => {
+                Some(read(of, edited.derivatives().ok()??.longitudinal.as_ref()?))
+            }
+            Place::LateralDerivative(of) => Some(read(of, edited.derivatives().ok()??.lateral.as_ref()?)),
+            Place::A(plane, row, column, sign) => {
+                let models = edited.models().ok()?;
+                Some(sign * models.of(plane)?.a[(row, column)])
+            }
+            Place::B(plane, row, column) => Some(edited.models().ok()?.of(plane)?.b[(row, column)]),
+            Place::Disturbance(of) => Some(read(of, &scenario.disturbance)),
+        }
+    }
+
+    /// Sets it to a value \[SI\] that [`Self::check`] has accepted; does nothing where the aircraft has none.
+    ///
+    /// What follows from something else is set by an offset on it.
+    pub fn set(&self, scenario: &mut Scenario, value: f64) {
+        let Some(before) = self.value(scenario) else { return };
+        let change = value - before;
+        let edited = &mut scenario.edited;
+        match (self.place, &mut edited.study) {
+            (Place::LongitudinalCoefficient(of), Study::Coefficients(study)) => {
+                *of(&mut study.coefficients.longitudinal) = value;
+            }
+            (Place::LateralCoefficient(of), Study::Coefficients(study)) => {
+                if let Some(lateral) = &mut study.coefficients.lateral {
+                    *of(lateral) = value;
+                }
+            }
+            (Place::Knob(of), Study::Coefficients(study)) => *of(&mut study.knobs) = value,
+            (Place::Condition(of), Study::Coefficients(study)) => *of(&mut study.condition) = value,
+            (Place::LongitudinalDerivative(of), _) => *of(&mut edited.offsets.longitudinal) += change,
+            (Place::LateralDerivative(of), _) => *of(&mut edited.offsets.lateral) += change,
+            (Place::A(plane, row, column, sign), _) => {
+                edited.offsets.matrices_mut(plane).a[(row, column)] += sign * change;
+            }
+            (Place::B(plane, row, column), _) => {
+                edited.offsets.matrices_mut(plane).b[(row, column)] += change;
+            }
+            (Place::Disturbance(of), _) => *of(&mut scenario.disturbance) = value,
+            _ => {}
+        }
+    }
+
+    /// Takes back what was done to it: the value of the aircraft's file, or no offset on what follows from the rest.
+    pub fn reset(&self, scenario: &mut Scenario) {
+        let offsets = &mut scenario.edited.offsets;
+        match self.place {
+            Place::LongitudinalDerivative(of) => *of(&mut offsets.longitudinal) = 0.0,
+            Place::LateralDerivative(of) => *of(&mut offsets.lateral) = 0.0,
+            Place::A(plane, row, column, _) => offsets.matrices_mut(plane).a[(row, column)] = 0.0,
+            Place::B(plane, row, column) => offsets.matrices_mut(plane).b[(row, column)] = 0.0,
+            _ => {
+                let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
+                self.set(scenario, reference);
+            }
+        }
+    }
+
+    /// The value that [`Self::reset`] leads to \[SI\].
+    pub fn reference(&self, scenario: &Scenario) -> f64 {
+        let offset = match self.place {
+            Place::LongitudinalDerivative(of) => read(of, &scenario.edited.offsets.longitudinal),
+            Place::LateralDerivative(of) => read(of, &scenario.edited.offsets.lateral),
+            Place::A(plane, row, column, sign) => {
+                sign * scenario.edited.offsets.matrices(plane).a[(row, column)]
+            }
+            Place::B(plane, row, column) => scenario.edited.offsets.matrices(plane).b[(row, column)],
+            _ => return self.get(&Scenario::new(scenario.aircraft.clone())),
+        };
+        self.get(scenario) - offset
+    }
+
+    /// Whether it differs from its reference.
+    pub fn is_edited(&self, scenario: &Scenario) -> bool {
+        let offsets = &scenario.edited.offsets;
+        match self.place {
+            Place::LongitudinalDerivative(of) => read(of, &offsets.longitudinal) != 0.0,
+            Place::LateralDerivative(of) => read(of, &offsets.lateral) != 0.0,
+            Place::A(plane, row, column, _) => offsets.matrices(plane).a[(row, column)] != 0.0,
+            Place::B(plane, row, column) => offsets.matrices(plane).b[(row, column)] != 0.0,
+            _ => self.get(scenario) != self.get(&Scenario::new(scenario.aircraft.clone())),
+        }
+    }
+
+    /// The physical range of its slider \[SI\]. A typed value may lie outside.
+    ///
+    /// It belongs to the aircraft's file, not to what has been edited: a slider doesn't move under the hand.
+    pub fn range(&self, scenario: &Scenario) -> RangeInclusive<f64> {
+        let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
+        match self.extent {
+            Extent::Relative { low, high, floor } => {
+                let speed = scenario.aircraft.speed();
+                let floor = match self.dimension {
+                    Dimension::Speed | Dimension::Acceleration => floor * speed,
+                    Dimension::PerLengthSecond => floor / speed,
+                    _ => floor,
+                };
+                let size = reference.abs().max(floor);
+                low * size..=high * size
+            }
+            Extent::Gravity => {
+                let reach = (5.0 * crate::flight::analysis::STANDARD_GRAVITY).max(1.25 * reference.abs());
+                0.0..=reach
+            }
+            Extent::Fixed { low, high } => low..=high,
+        }
+    }
+
+    /// Accepts or refuses a value \[SI\] that was typed or came from outside.
+    pub fn check(&self, scenario: &Scenario, value: f64) -> Result<f64, ValueError> {
+        if !value.is_finite() {
+            return Err(ValueError::NotFinite);
+        }
+        let range = self.range(scenario);
+        let accepted = match self.extent {
+            Extent::Fixed { .. } => range,
+            Extent::Relative { .. } | Extent::Gravity => {
+                let reach = TYPED_BEYOND * range.start().abs().max(range.end().abs());
+                -reach..=reach
+            }
+        };
+        if accepted.contains(&value) {
+            return Ok(value);
+        }
+        let unit = scenario.aircraft.length_unit;
+        let shown = |si: f64| significant(si / self.dimension.in_si(unit), 4);
+        Err(ValueError::Absurd {
+            value: shown(value),
+            low: shown(*accepted.start()),
+            high: shown(*accepted.end()),
+            unit: self.dimension.symbol(unit),
+        })
+    }
+
+    /// Reads typed text in the shown unit; `−` counts as minus and a comma as a decimal point.
+    pub fn parse(&self, scenario: &Scenario, text: &str) -> Result<f64, ValueError> {
+        let plain = text.trim().replace('−', "-").replace(',', ".");
+        let shown: f64 = plain.parse().map_err(|_| ValueError::NotANumber(text.trim().to_owned()))?;
+        self.check(scenario, shown * self.dimension.in_si(scenario.aircraft.length_unit))
+    }
+}
+
+fn read<T: Copy>(of: fn(&mut T) -> &mut f64, from: &T) -> f64 {
+    let mut copy = *from;
+    *of(&mut copy)
+}
