@@ -23,6 +23,7 @@ pub mod eigen;
 pub mod handling_qualities;
 pub mod inputs;
 pub mod linear;
+pub mod locus;
 pub mod mil_f_8785c;
 pub mod modes;
 pub mod naming;
