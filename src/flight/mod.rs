@@ -22,6 +22,8 @@ pub mod dual;
 pub mod eigen;
 pub mod handling_qualities;
 pub mod inputs;
+pub mod inverse;
+mod least_change;
 pub mod linear;
 pub mod locus;
 pub mod mil_f_8785c;
