@@ -1,11 +1,9 @@
 //! One aircraft in one flight condition, as its file has it.
 
-use nalgebra::Vector4;
-
 pub use super::published::{Comparison, Published, PublishedMode, Quantity, compare};
 pub use super::reader::ContentError;
-use crate::flight::linear::LongitudinalModel;
-use crate::flight::plane::{Plane, PlaneModel};
+use crate::flight::mil_f_8785c::{Category, Class};
+use crate::flight::plane::Plane;
 use crate::flight::study::Study;
 
 /// An aircraft in one flight condition.
@@ -25,8 +23,6 @@ pub struct Aircraft {
     pub status_reason: String,
     /// Where every number comes from.
     pub source: String,
-    /// Its longitudinal model, SI.
-    pub longitudinal: LongitudinalModel,
     /// Everything a person may edit, at the source's values.
     pub study: Study,
     /// What is known of the longitudinal data.
@@ -38,7 +34,7 @@ pub struct Aircraft {
     /// Class of MIL-F-8785C, our assignment.
     pub class: Option<Class>,
     /// Flight-phase category of MIL-F-8785C, our assignment.
-    pub phase: Option<Phase>,
+    pub phase: Option<Category>,
     /// What a reader of the source should know.
     pub notes: Vec<String>,
 }
@@ -73,41 +69,6 @@ pub struct Particulars {
     pub altitude: Option<f64>,
     /// Mach number.
     pub mach: Option<f64>,
-}
-
-/// Class of aircraft, MIL-F-8785C §1.3.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// Small and light.
-    I,
-    /// Medium weight, low to medium manoeuvrability.
-    II,
-    /// Large and heavy.
-    III,
-    /// High manoeuvrability.
-    IV,
-}
-
-impl Class {
-    /// The classes by the name that a file gives them.
-    pub const NAMES: [(&'static str, Self); 4] =
-        [("I", Self::I), ("II", Self::II), ("III", Self::III), ("IV", Self::IV)];
-}
-
-/// Category of flight phase, MIL-F-8785C §1.4.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Phase {
-    /// Rapid manoeuvring, precision tracking.
-    A,
-    /// Gradual manoeuvres: climb, cruise, descent.
-    B,
-    /// Take-off, approach, landing.
-    C,
-}
-
-impl Phase {
-    /// The categories by the name that a file gives them.
-    pub const NAMES: [(&'static str, Self); 3] = [("A", Self::A), ("B", Self::B), ("C", Self::C)];
 }
 
 /// Whether an aircraft's modes were checked against published ones.
@@ -162,6 +123,18 @@ impl Aircraft {
         super::reader::with_file(file, text, super::aircraft_file::read)
     }
 
+    /// True airspeed of the reference \[m/s\].
+    pub fn speed(&self) -> f64 {
+        match &self.study {
+            Study::Coefficients(study) => study.reference.condition.speed,
+            Study::Derivatives(study) => study.trim.speed,
+            Study::Matrices(study) => {
+                let models = [&study.longitudinal, &study.lateral];
+                models.into_iter().flatten().next().map_or(1.0, |model| model.trim.speed)
+            }
+        }
+    }
+
     /// What is known of the data of a plane.
     pub fn notes_of(&self, plane: Plane) -> Option<&PlaneNotes> {
         match plane {
@@ -169,10 +142,4 @@ impl Aircraft {
             Plane::Lateral => self.lateral_notes.as_ref(),
         }
     }
-}
-
-/// The longitudinal model with the elevator alone.
-pub(super) fn with_elevator(model: &PlaneModel) -> LongitudinalModel {
-    let b_elevator: Vector4<f64> = model.b.column(0).into_owned();
-    LongitudinalModel { a: model.a, b_elevator, u0: model.trim.u0() }
 }

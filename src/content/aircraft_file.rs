@@ -2,12 +2,13 @@
 
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
-use super::aircraft::{Aircraft, Class, LengthUnit, Particulars, Phase, PlaneNotes, Status, with_elevator};
+use super::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
 use super::airframe_file::{coefficient_study, derivative_study};
 use super::published::read_published;
 use super::reader::{Block, ContentError};
 use super::units::UnitSystem;
 use crate::flight::analysis::STANDARD_GRAVITY;
+use crate::flight::mil_f_8785c::{Category, Class};
 use crate::flight::plane::{Plane, PlaneModel, Trim};
 use crate::flight::study::{MatrixStudy, Study};
 
@@ -34,7 +35,7 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let units = file.choice("units", &UnitSystem::NAMES)?;
     file.choice("angles", &[("rad", ())])?;
     let class = file.optional_choice("class", &Class::NAMES)?;
-    let phase = file.optional_choice("phase", &Phase::NAMES)?;
+    let phase = file.optional_choice("phase", &Category::NAMES)?;
     let source = file.text("source")?;
     let mut notes = Vec::from_iter(file.optional_text("note")?);
 
@@ -54,7 +55,9 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     if let Some(problem) = models.problems.first() {
         return Err(file.error_here(problem));
     }
-    let model = models.longitudinal.ok_or_else(|| longitudinal.error_here("no model follows from it"))?;
+    if models.longitudinal.is_none() {
+        return Err(longitudinal.error_here("no model follows from it"));
+    }
     let planes = || [Some(&longitudinal_notes), lateral_notes.as_ref()].into_iter().flatten();
     let verified = planes().all(|plane| plane.status == Status::Verified);
     Ok(Aircraft {
@@ -65,7 +68,6 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         status: if verified { Status::Verified } else { Status::Unverified },
         status_reason: joined(planes().map(|plane| plane.status_reason.as_str())),
         source,
-        longitudinal: with_elevator(&model),
         study,
         longitudinal_notes,
         lateral_notes,
@@ -148,7 +150,6 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         },
         status_reason,
         source,
-        longitudinal: with_elevator(&model),
         study: Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }),
         lateral_notes: None,
         particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },

@@ -2,43 +2,71 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::flight::analysis::{Motion, PlaneAnalysis};
 use crate::flight::modes::{DynamicStability, Mode};
+use crate::flight::plane::Plane;
 use crate::flight::static_stability::StaticVerdict;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::{PARAMETERS, Scenario};
+use crate::scenario::{Scenario, parameters};
 
 /// What is studied and what follows from it, SI and radians; an analysis that failed is a sentence.
 pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) -> Value {
-    let parameters: Map<String, Value> =
-        PARAMETERS.iter().map(|p| (p.key.to_owned(), json!(p.get(scenario)))).collect();
-    let analysis = match analysis {
-        Ok(analysis) => of_analysis(analysis),
-        Err(error) => json!({ "error": error.to_string() }),
-    };
+    let parameters: Map<String, Value> = parameters()
+        .filter(|p| p.applies(scenario))
+        .map(|p| (p.key.to_owned(), json!(p.get(scenario))))
+        .collect();
     json!({
         "aircraft": scenario.aircraft.key,
-        "disturbance": scenario.disturbance.kind.text(),
+        "plane": match scenario.plane {
+            Plane::Longitudinal => "longitudinal",
+            Plane::Lateral => "lateral",
+        },
+        "disturbance": scenario.disturbance.kind(scenario.plane).text(),
         "parameters": parameters,
-        "analysis": analysis,
+        "analysis": match analysis {
+            Ok(analysis) => of_analysis(analysis),
+            Err(error) => of_error(error),
+        },
     })
 }
 
 fn of_analysis(analysis: &Analysis) -> Value {
+    let of = |plane: Plane| match analysis.of(plane)? {
+        Ok(plane) => Some(of_plane(plane)),
+        Err(error) => Some(of_error(error)),
+    };
     json!({
-        "modes": analysis.modes.iter().map(of_mode).collect::<Vec<_>>(),
-        "dynamic_stability": word(analysis.dynamic_stability),
-        "static_stability": match analysis.static_stability.verdict {
+        "longitudinal": of(Plane::Longitudinal),
+        "lateral": of(Plane::Lateral),
+        "gravity_is_plausible": analysis.gravity.map(|gravity| gravity.is_plausible()),
+        "response": analysis.motion.as_ref().map(of_motion),
+    })
+}
+
+fn of_error(error: &AnalysisError) -> Value {
+    json!({ "error": error.to_string() })
+}
+
+fn of_plane(plane: &PlaneAnalysis) -> Value {
+    json!({
+        "modes": plane.modes.iter().map(of_mode).collect::<Vec<_>>(),
+        "dynamic_stability": word(plane.dynamic_stability),
+        "static_stability": match plane.static_stability.verdict {
             StaticVerdict::Stable => "stable",
             StaticVerdict::Neutral => "neutral",
             StaticVerdict::Unstable => "unstable",
         },
-        "determinant": analysis.static_stability.determinant,
-        "gravity_is_plausible": analysis.gravity.is_plausible(),
-        "response": {
-            "dt": analysis.response.dt,
-            "samples": analysis.response.states.len(),
-            "last": analysis.response.states.last().map(|x| [x[0], x[1], x[2], x[3]]),
-        },
+        "determinant": plane.static_stability.determinant,
+        "levels": plane.levels.iter().map(|verdict| verdict.sentence()).collect::<Vec<_>>(),
+    })
+}
+
+fn of_motion(motion: &Motion) -> Value {
+    json!({
+        "dt": motion.response.dt,
+        "samples": motion.response.states.len(),
+        "last": motion.response.states.last().map(|x| [x[0], x[1], x[2], x[3]]),
+        "small_until": motion.small_until,
     })
 }
 

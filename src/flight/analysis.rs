@@ -92,6 +92,8 @@ pub struct PlaneAnalysis {
 pub struct Motion {
     /// The plane in which it moves.
     pub plane: Plane,
+    /// Forward speed U₀ \[m/s\], which turns w into α ≈ w/U₀ and v into β ≈ v/U₀.
+    pub speed: f64,
     /// The states.
     pub response: Response,
     /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
@@ -137,7 +139,11 @@ impl Analysis {
 
 /// Analyses one aircraft in one experiment. Pure and total: equal arguments give equal answers; what can't be analysed is an
 /// error with a sentence, and leaves the other plane alone.
-pub fn analyse(edited: &Edited, task: Option<Task>, experiment: &Experiment) -> Result<Analysis, AnalysisError> {
+pub fn analyse(
+    edited: &Edited,
+    task: Option<Task>,
+    experiment: &Experiment,
+) -> Result<Analysis, AnalysisError> {
     let Models { longitudinal, lateral, problems } = edited.models()?;
     let gravity = longitudinal.as_ref().and_then(gravity_check);
     let disturbed = match experiment.plane {
@@ -168,7 +174,8 @@ fn analyse_plane(model: PlaneModel, task: Option<Task>) -> Result<PlaneAnalysis,
         dynamic_stability: worst(modes.iter().map(|mode| mode.stability)),
         static_stability: plane_static_stability(&model),
         approximations: approximations(&model, &modes),
-        levels: task.map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),
+        levels: task
+            .map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),
         modes,
         model,
     })
@@ -181,7 +188,12 @@ fn motion(model: &PlaneModel, experiment: &Experiment) -> Motion {
         Channel::Gust => gust_column(model),
     };
     let response = respond(&model.a, &b, &experiment.input, experiment.grid);
-    Motion { plane: model.plane, small_until: small_until(model, &response), response }
+    Motion {
+        plane: model.plane,
+        speed: model.trim.u0(),
+        small_until: small_until(model, &response),
+        response,
+    }
 }
 
 /// When a motion first leaves |u| ≤ V/2, α, β ≤ 0.35 rad (20°, about the stall), attitude ≤ 1 rad; `None` if it never does.

@@ -6,11 +6,11 @@
 
 use nalgebra::Matrix4;
 
+use super::axes::to_stability_axes;
 use super::modes::Mode;
 use super::naming::ModeName;
 use super::plane::{Plane, PlaneModel};
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
-use super::stability_axes::in_stability_axes;
 
 /// Which approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +39,40 @@ pub enum ApproximationName {
     SpiralWithGravity,
     /// Spiral as the quick form has it.
     SpiralQuick,
+}
+
+impl ApproximationName {
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::ShortPeriodTwoStates => "w and q alone",
+            Self::ShortPeriodPitchOnly => "pitch only",
+            Self::PhugoidLanchester => "Lanchester",
+            Self::PhugoidTwoStates => "u and θ alone",
+            Self::PhugoidResidualised => "w and q at rest",
+            Self::PhugoidQuartic => "from the quartic",
+            Self::DutchRollTwoStates => "v and r alone",
+            Self::DutchRollYawOnly => "yaw only",
+            Self::RollDamping => "roll damping",
+            Self::SpiralPolynomial => "from the quartic",
+            Self::SpiralWithGravity => "with gravity",
+            Self::SpiralQuick => "quick form",
+        }
+    }
+
+    /// The mode that it approximates.
+    pub const fn concerns(self) -> ModeName {
+        match self {
+            Self::ShortPeriodTwoStates | Self::ShortPeriodPitchOnly => ModeName::ShortPeriod,
+            Self::PhugoidLanchester
+            | Self::PhugoidTwoStates
+            | Self::PhugoidResidualised
+            | Self::PhugoidQuartic => ModeName::Phugoid,
+            Self::DutchRollTwoStates | Self::DutchRollYawOnly => ModeName::DutchRoll,
+            Self::RollDamping => ModeName::RollSubsidence,
+            Self::SpiralPolynomial | Self::SpiralWithGravity | Self::SpiralQuick => ModeName::Spiral,
+        }
+    }
 }
 
 /// What an approximation, or the exact mode beside it, says.
@@ -102,7 +136,7 @@ fn relative_error(approximate: f64, exact: f64) -> Option<f64> {
 
 /// Every approximation for the plane of `model`, in a fixed order; `modes` are its exact modes.
 pub fn approximations(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
-    let model = in_stability_axes(model);
+    let model = to_stability_axes(model);
     match model.plane {
         Plane::Longitudinal => longitudinal(&model.a, modes),
         Plane::Lateral => lateral(&model.a, modes),

@@ -8,7 +8,9 @@
 
 use nalgebra::{Matrix4, Matrix4x2};
 
-use super::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives};
+use super::derivatives::{
+    LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives,
+};
 use super::plane::{Plane, PlaneModel};
 use super::study::{DerivativeStudy, Models, Study, StudyError};
 

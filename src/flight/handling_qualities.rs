@@ -3,6 +3,7 @@
 //! A verdict carries the limit that governs it and how far away that is. An aperiodic divergence in pitch gets none: paragraph 3.2.1.1
 //! judges it, by numbers that are not in the tables here.
 
+use super::axes::to_stability_axes;
 use super::mil_f_8785c::{
     Category, Class, Criterion, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll, phugoid,
     roll_mode, short_period_damping, short_period_frequency, spiral,
@@ -11,7 +12,6 @@ use super::modes::{DynamicStability, Mode};
 use super::naming::ModeName;
 use super::plane::{Plane, PlaneModel};
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
-use super::stability_axes::in_stability_axes;
 use crate::number::significant;
 
 /// How good the handling is (1.5, p. 4).
@@ -117,7 +117,7 @@ pub fn handling_qualities(
 ///
 /// In stability axes n/α = −V² A_ww/(g A_wq), which is −V Zw/g where Zq is zero (MIL-F-8785C 6.2.4).
 pub fn load_factor_slope(model: &PlaneModel) -> Option<f64> {
-    let a = in_stability_axes(model).a;
+    let a = to_stability_axes(model).a;
     let v = model.trim.speed;
     let slope = -v * v * a[(1, 1)] / (model.trim.gravity * a[(1, 2)]);
     slope.is_finite().then_some(slope)

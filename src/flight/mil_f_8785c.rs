@@ -20,6 +20,10 @@ pub enum Class {
 }
 
 impl Class {
+    /// The classes by the name that a file gives them.
+    pub const NAMES: [(&'static str, Self); 5] =
+        [("I", Self::I), ("II", Self::II), ("II-C", Self::IICarrier), ("III", Self::III), ("IV", Self::IV)];
+
     /// Classes I, II-C and IV, which the tables set apart from II-L and III in the terminal phases.
     fn is_agile_in_terminal_phases(self) -> bool {
         matches!(self, Self::I | Self::IICarrier | Self::IV)
@@ -45,6 +49,10 @@ pub enum Category {
 }
 
 impl Category {
+    /// The categories by the name that a file gives them.
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("A-combat", Self::ACombat), ("A", Self::A), ("B", Self::B), ("C", Self::C)];
+
     fn is_a(self) -> bool {
         matches!(self, Self::A | Self::ACombat)
     }

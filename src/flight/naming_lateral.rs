@@ -14,11 +14,6 @@ const ROLLING_PAIR: f64 = 0.3;
 /// … and the two real roots hold more than this share of them between them: then they are the Dutch roll, split.
 const YAWING_ROOTS: f64 = 0.6;
 
-/// A root that grows is a driven roll, and no spiral, if it is this many times the root that dies away.
-///
-/// No reference aircraft comes there with any one derivative from −1 to 3 times its value.
-const DRIVEN_ROLL: f64 = 3.0;
-
 /// Share of v and r, the states of the Dutch roll; p and φ, those of rolling, have the rest.
 fn yaw_share(shape: &Shape) -> f64 {
     shape.participation[0] + shape.participation[2]
@@ -60,11 +55,12 @@ fn one_pair(shapes: &[Shape]) -> Vec<ModeName> {
         .collect()
 }
 
-/// Roll is the greater |λ| of two real roots: the left one, unless the wing drives the roll so that it grows.
+/// Roll is the greater |λ| of two real roots, so the left one, unless both grow because the wing drives the roll.
+///
+/// A root that grows fast beside one that dies away slowly keeps its name: the spiral may become a driven roll without
+/// meeting another root, and its reason says so.
 fn roll_is_on_the_right(shapes: &[Shape], order: &[usize]) -> bool {
-    let [left, right] = order else { return false };
-    let (left, right) = (&shapes[*left], &shapes[*right]);
-    right.grows() && (left.grows() || right.lambda.norm() > DRIVEN_ROLL * left.lambda.norm())
+    order.iter().all(|&i| shapes[i].grows())
 }
 
 /// Four real roots, named by their order and by how many grow.
@@ -139,6 +135,13 @@ fn explain(name: ModeName, shape: &Shape, shapes: &[Shape]) -> Naming {
                 percent(p)
             ),
         ),
+        _ if shape.grows() && is_faster_than_the_roll(shape, shapes) => (
+            phi,
+            format!(
+                "Bank angle carries {} of it, and it grows faster than a roll dies out: no longer a slow spiral, the wing drives it.{four}",
+                percent(phi)
+            ),
+        ),
         _ if shape.grows() => (
             phi,
             format!(
@@ -155,6 +158,11 @@ fn explain(name: ModeName, shape: &Shape, shapes: &[Shape]) -> Naming {
         None => reason,
     };
     naming(name, confidence, reason)
+}
+
+/// Whether this root is farther from zero than every real root that dies away.
+fn is_faster_than_the_roll(shape: &Shape, shapes: &[Shape]) -> bool {
+    shapes.iter().all(|s| s.oscillates() || s.grows() || s.lambda.norm() < shape.lambda.norm())
 }
 
 /// With two oscillations, the ratio of their |λ| in words.

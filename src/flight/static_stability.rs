@@ -2,9 +2,9 @@
 
 use nalgebra::Matrix4;
 
-use super::linear::{Lateral, Longitudinal, LongitudinalModel};
+use super::axes::to_stability_axes;
+use super::linear::{Lateral, Longitudinal};
 use super::plane::{Plane, PlaneModel};
-use super::stability_axes::in_stability_axes;
 
 /// Whether a small departure meets a restoring tendency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,27 +15,6 @@ pub enum StaticVerdict {
     Neutral,
     /// det A < 0: a real root grows.
     Unstable,
-}
-
-/// Static longitudinal stability and the numbers behind it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StaticStability {
-    /// The verdict, from the sign of det A.
-    pub verdict: StaticVerdict,
-    /// det A = λ₁λ₂λ₃λ₄ \[1/s⁴\], the constant term of the characteristic polynomial.
-    pub determinant: f64,
-    /// Pitch stiffness M_w \[1/(m·s)\]: negative when a gust that raises α pitches the nose down.
-    pub m_w: f64,
-}
-
-/// Static longitudinal stability of a model.
-///
-/// With the states of this model det A = g cos θ₀ (Zu Mw − Mu Zw) (Etkin & Reid, *Dynamics of Flight*, §6.5,
-/// criterion E > 0). The verdict says nothing about oscillations: those are dynamic stability.
-pub fn static_stability(model: &LongitudinalModel) -> StaticStability {
-    let (verdict, determinant) = verdict_of_determinant(&model.a);
-    let (q, w) = (Longitudinal::Q.index(), Longitudinal::W.index());
-    StaticStability { verdict, determinant, m_w: model.a[(q, w)] }
 }
 
 /// det A and what its sign says: det A > 0 ⇔ an even number of real roots grow, so that none grows alone.
@@ -113,7 +92,7 @@ pub enum PlaneStiffness {
 /// Flight*, §§6.5, 6.8: criterion E > 0).
 pub fn plane_static_stability(model: &PlaneModel) -> PlaneStaticStability {
     let (verdict, determinant) = verdict_of_determinant(&model.a);
-    let a = in_stability_axes(model).a;
+    let a = to_stability_axes(model).a;
     let stiffness = match model.plane {
         Plane::Longitudinal => {
             let [w, q] = [Longitudinal::W, Longitudinal::Q].map(Longitudinal::index);

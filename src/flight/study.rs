@@ -101,6 +101,18 @@ pub enum StudyError {
     },
 }
 
+impl StudyError {
+    /// The plane that it concerns; `None` where there is no such steady flight, so neither plane.
+    pub const fn plane(&self) -> Option<Plane> {
+        match self {
+            Self::Condition(_) | Self::Knob(_) => None,
+            Self::Inertia { .. } => Some(Plane::Lateral),
+            Self::Heave { .. } => Some(Plane::Longitudinal),
+            Self::NotFinite { plane } => Some(*plane),
+        }
+    }
+}
+
 const fn plane_name(plane: Plane) -> &'static str {
     match plane {
         Plane::Longitudinal => "longitudinal",
@@ -179,6 +191,14 @@ impl DerivativeStudy {
 }
 
 impl Models {
+    /// The model of a plane.
+    pub fn of(&self, plane: Plane) -> Option<&PlaneModel> {
+        match plane {
+            Plane::Longitudinal => self.longitudinal.as_ref(),
+            Plane::Lateral => self.lateral.as_ref(),
+        }
+    }
+
     fn kept(&mut self, made: Result<PlaneModel, StudyError>) -> Option<PlaneModel> {
         match made {
             Ok(model) => Some(model),

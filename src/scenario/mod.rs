@@ -2,6 +2,7 @@
 
 mod dimension;
 mod disturbance;
+mod outlook;
 pub mod parameters;
 
 use std::sync::Arc;
@@ -14,6 +15,7 @@ use crate::flight::{Analysis, AnalysisError, analyse};
 
 pub use dimension::Dimension;
 pub use disturbance::{Disturbance, DisturbanceKind, START};
+pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
 
 /// One aircraft with the person's edits, and the disturbance it is put through.

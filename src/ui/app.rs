@@ -5,17 +5,19 @@ use std::sync::Arc;
 use egui::util::undoer::Undoer;
 use egui::{CentralPanel, Context, Frame, Key, Margin, Modifiers, Panel, RichText, ScrollArea, Ui};
 
-use super::derivatives::{Rows, derivatives_ui};
-use super::memo::Memo;
+use super::derivatives::{Outlook, Rows, derivatives_ui};
+use super::memo::{Followed, Memo};
 use super::mode_cards::{banner_ui, card_ui, units_warning, verdicts_ui};
 use super::pole_map::PoleMap;
 use super::responses::{Responses, Studied};
 use super::theme::{self, Palette};
 use super::top_bar::{Bar, top_bar_ui};
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
+use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
+use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::Scenario;
+use crate::scenario::{Page, Parameter, Scenario};
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
@@ -27,6 +29,8 @@ const TABLET: f32 = 1180.0;
 pub enum Action {
     /// Study another aircraft.
     Load(Arc<Aircraft>),
+    /// Study the other plane of motion.
+    Turn(Plane),
     /// Keep this state to compare with.
     Pin,
     /// Keep another aircraft as it is to compare with.
@@ -62,7 +66,11 @@ enum PhonePane {
 struct View {
     poles: PoleMap,
     responses: Responses,
+    page: Page,
+    /// Key of the slider that the help card speaks of.
     explained: &'static str,
+    /// Key of the slider that the person is at, whose path is drawn.
+    touched: Option<&'static str>,
     phone_pane: PhonePane,
 }
 
@@ -101,7 +109,9 @@ impl App {
             view: View {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
-                explained: "mw",
+                page: Page::Coefficients,
+                explained: "cm_alpha",
+                touched: None,
                 phone_pane: PhonePane::default(),
             },
         })
@@ -114,7 +124,12 @@ impl App {
 
     /// What followed from it in the last frame.
     pub fn analysis(&self) -> Option<&Result<Analysis, AnalysisError>> {
-        self.memo.analysis()
+        self.memo.followed().map(|followed| &followed.analysis)
+    }
+
+    /// What followed for the plane on screen, where all went well.
+    pub fn plane(&self) -> Option<&PlaneAnalysis> {
+        self.memo.plane()
     }
 
     /// How often anything was computed.
@@ -152,7 +167,7 @@ impl App {
         if let Some(action) = action {
             self.apply(action);
         }
-        if !self.memo.is_of(&self.scenario) {
+        if !self.memo.is_of(&self.scenario, self.view.page) {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
         }
@@ -168,7 +183,7 @@ impl App {
             .resizable(false)
             .frame(side)
             .show(ui, |ui| {
-                derivatives_ui(ui, &mut self.scenario, Rows::Dense, &mut self.view.explained);
+                self.derivatives_ui(ui, Rows::Dense);
             });
         self.ghost_memo_refresh();
         let mut action = None;
@@ -228,7 +243,7 @@ impl App {
         });
         let pane = |ui: &mut Ui| match self.view.phone_pane {
             PhonePane::Derivatives => {
-                derivatives_ui(ui, &mut self.scenario, Rows::Touch, &mut self.view.explained);
+                self.derivatives_ui(ui, Rows::Touch);
                 None
             }
             PhonePane::Modes => {
@@ -247,11 +262,29 @@ impl App {
         CentralPanel::default().frame(ground).show(ui, pane).inner
     }
 
+    fn derivatives_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        if !self.view.page.is_of(&self.scenario) {
+            self.view.page = Page::of(&self.scenario);
+        }
+        self.memo.refresh(&self.scenario, self.view.page);
+        let followed = self.memo.followed();
+        let outlook = Outlook {
+            sensitivities: followed.map_or(&[], |followed| &followed.sensitivities),
+            modes: self.memo.plane().map_or(&[], |plane| &plane.modes),
+        };
+        self.view.touched = derivatives_ui(ui, &mut self.scenario, &mut self.view.page, rows, outlook);
+        self.view.explained = self.view.touched.unwrap_or(self.view.explained);
+        if rows == Rows::Dense {
+            super::derivatives::help_ui(ui, self.view.explained);
+        }
+    }
+
     fn ghost_memo_refresh(&mut self) {
         if let Some(ghost) = &mut self.ghost {
             // Compared is what the same disturbance does to both.
             ghost.scenario.disturbance = self.scenario.disturbance;
-            self.ghost_memo.refresh(&ghost.scenario);
+            ghost.scenario.plane = self.scenario.plane;
+            self.ghost_memo.refresh(&ghost.scenario, Page::Disturbance);
         }
     }
 
@@ -271,24 +304,30 @@ impl App {
     }
 
     fn poles_ui(&mut self, ui: &mut Ui) {
+        self.memo.refresh(&self.scenario, self.view.page);
+        let touched = self.view.touched.and_then(Parameter::find);
+        let locus = touched.map(|parameter| self.memo.locus(&self.scenario, parameter).clone());
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
-        match self.memo.refresh(&self.scenario) {
-            Ok(analysis) => self.view.poles.show(ui, &analysis.modes, ghost),
-            Err(error) => error_ui(ui, error),
+        match self.memo.plane() {
+            Some(plane) => self.view.poles.show(ui, &plane.modes, ghost, locus.as_ref()),
+            None => problem_ui(ui, self.memo.followed(), self.scenario.plane),
         }
     }
 
     fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
         let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
         view.responses.choosers_ui(ui, scenario);
-        match memo.refresh(scenario) {
-            Ok(analysis) => {
-                let ghost = ghost.as_ref().zip(ghost_memo.analysis()).and_then(|(ghost, analysis)| {
-                    Some(Studied { scenario: &ghost.scenario, analysis: analysis.as_ref().ok()? })
-                });
-                view.responses.show(ui, Studied { scenario, analysis }, ghost, rows);
+        let followed = memo.refresh(scenario, view.page);
+        let motion_of =
+            |followed: &'_ Followed| followed.analysis.as_ref().ok().and_then(|a| a.motion.clone());
+        match motion_of(followed) {
+            Some(motion) => {
+                let ghost = ghost.as_ref().zip(ghost_memo.followed().and_then(motion_of));
+                let ghost =
+                    ghost.as_ref().map(|(ghost, motion)| Studied { scenario: &ghost.scenario, motion });
+                view.responses.show(ui, Studied { scenario, motion: &motion }, ghost, rows);
             }
-            Err(error) => error_ui(ui, error),
+            None => problem_ui(ui, memo.followed(), scenario.plane),
         }
     }
 
@@ -306,14 +345,12 @@ impl App {
             let text = format!("An aircraft could not be read: {error}");
             banner_ui(ui, &text, palette.warning, palette.warning_ground);
         }
-        let analysis = match self.memo.refresh(&self.scenario) {
-            Ok(analysis) => analysis,
-            Err(error) => {
-                error_ui(ui, error);
-                return None;
-            }
+        self.memo.refresh(&self.scenario, self.view.page);
+        let (Some(plane), Some(Ok(analysis))) = (self.memo.plane(), self.analysis()) else {
+            problem_ui(ui, self.memo.followed(), self.scenario.plane);
+            return None;
         };
-        verdicts_ui(ui, analysis, self.scenario.aircraft.length_unit);
+        verdicts_ui(ui, plane, self.scenario.aircraft.length_unit);
         let warning = units_warning(analysis)?;
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
         let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;
@@ -323,18 +360,20 @@ impl App {
 
     /// A card for each mode, in the columns that `column` tells.
     fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
-        let Ok(analysis) = self.memo.refresh(&self.scenario) else { return };
+        self.memo.refresh(&self.scenario, self.view.page);
+        let Some(plane) = self.memo.plane() else { return };
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
-        for (i, mode) in analysis.modes.iter().enumerate() {
+        for (i, mode) in plane.modes.iter().enumerate() {
             let before =
                 ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
-            card_ui(&mut columns[column(i)], mode, before);
+            card_ui(&mut columns[column(i)], plane, mode, before);
         }
     }
 
     fn apply(&mut self, action: Action) {
         match action {
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
+            Action::Turn(plane) => self.scenario.plane = plane,
             Action::Pin => self.ghost = Some(Ghost { name: self.name(), scenario: self.scenario.clone() }),
             Action::CompareWith(aircraft) => {
                 self.ghost = Some(Ghost {
@@ -364,12 +403,21 @@ impl App {
 
 fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> {
     ghost?;
-    memo.analysis()?.as_ref().ok().map(|analysis| analysis.modes.as_slice())
+    memo.plane().map(|plane| plane.modes.as_slice())
 }
 
-fn error_ui(ui: &mut Ui, error: &AnalysisError) {
+/// Why there is nothing to draw.
+fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
+    let problem = match followed.map(|followed| &followed.analysis) {
+        Some(Ok(analysis)) => match analysis.of(plane) {
+            Some(Err(error)) => error.to_string(),
+            Some(Ok(_)) | None => "the source has no data for this plane of motion".to_owned(),
+        },
+        Some(Err(error)) => error.to_string(),
+        None => return,
+    };
     let palette = Palette::of(ui);
-    ui.label(RichText::new(format!("⚠ This can't be analysed: {error}.")).color(palette.bad));
+    banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
 }
 
 fn shortcuts(ui: &Ui) -> Option<Action> {

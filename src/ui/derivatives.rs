@@ -1,19 +1,21 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
-use egui::{Align, Button, Id, Layout, RichText, ScrollArea, Ui, UiBuilder, Vec2};
+use egui::{Align, Button, Id, Layout, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2};
 
 use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
-use crate::number::trimmed;
+use crate::flight::modes::Mode;
+use crate::number::{significant, trimmed};
 use crate::scenario::parameters::Group;
-use crate::scenario::{PARAMETERS, Parameter, Scenario};
+use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
 
 const SYMBOL_WIDTH: f32 = 58.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
+const BAR_WIDTH: f32 = 5.5;
 const HELP_HEIGHT: f32 = 132.0;
 
 /// How the rows are drawn.
@@ -25,10 +27,31 @@ pub enum Rows {
     Touch,
 }
 
-/// Draws all groups; edits `scenario` in place. `explained` is the row that the help card speaks of.
-pub fn derivatives_ui(ui: &mut Ui, scenario: &mut Scenario, rows: Rows, explained: &mut &'static str) {
+/// What the sliders would do.
+#[derive(Clone, Copy, Debug)]
+pub struct Outlook<'a> {
+    /// How each slider of the page moves each mode.
+    pub sensitivities: &'a [RowSensitivity],
+    /// The modes.
+    pub modes: &'a [Mode],
+}
+
+/// Draws the pages and the groups of the one on screen; edits `scenario` in place.
+///
+/// Gives the key of the row that the person is at, with pointer or keyboard.
+pub fn derivatives_ui(
+    ui: &mut Ui,
+    scenario: &mut Scenario,
+    page: &mut Page,
+    rows: Rows,
+    outlook: Outlook<'_>,
+) -> Option<&'static str> {
     ui.horizontal(|ui| {
-        theme::heading(ui, RichText::new("Derivatives").heading(), 2);
+        ui.spacing_mut().button_padding.x = 7.0;
+        ui.spacing_mut().item_spacing.x = 2.0;
+        for other in Page::DERIVATIVES.into_iter().filter(|page| page.is_of(scenario)) {
+            ui.selectable_value(page, other, other.text());
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let reset = Button::new(RichText::new("Reset all").font(theme::small()));
             if ui.add_enabled(scenario.is_edited(), reset).clicked() {
@@ -38,36 +61,45 @@ pub fn derivatives_ui(ui: &mut Ui, scenario: &mut Scenario, rows: Rows, explaine
     });
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
-    ScrollArea::vertical()
-        .id_salt("derivatives")
-        .max_height(height)
-        .auto_shrink([false, rows == Rows::Dense])
-        .show(ui, |ui| {
-            for group in Group::DERIVATIVES {
-                ui.add_space(3.0);
-                let title = RichText::new(group.text()).font(theme::semibold(11.5));
-                theme::heading(ui, title.color(Palette::of(ui).weak), 3);
-                for parameter in PARAMETERS.iter().filter(|p| p.group == group) {
-                    if row_ui(ui, scenario, parameter, rows) {
-                        *explained = parameter.key;
-                    }
+    let mut touched = None;
+    let area = ScrollArea::vertical().id_salt(("derivatives", page.text(), scenario.plane as usize));
+    area.max_height(height).auto_shrink([false, rows == Rows::Dense]).show(ui, |ui| {
+        for group in Group::DERIVATIVES {
+            let shown = |p: &&Parameter| {
+                p.page == *page
+                    && p.group == group
+                    && p.plane.is_none_or(|plane| plane == scenario.plane)
+                    && p.applies(scenario)
+            };
+            let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
+            if group_rows.is_empty() {
+                continue;
+            }
+            ui.add_space(3.0);
+            let title = RichText::new(group.text()).font(theme::semibold(11.5));
+            theme::heading(ui, title.color(Palette::of(ui).weak), 3);
+            for parameter in group_rows {
+                if row_ui(ui, scenario, parameter, rows, outlook) {
+                    touched = Some(parameter.key);
                 }
             }
-        });
-    if rows == Rows::Dense
-        && let Some(parameter) = Parameter::find(explained)
-    {
-        help_ui(ui, parameter);
-    }
+        }
+    });
+    touched
 }
 
 /// One row. Says whether the person is at it, with pointer or keyboard.
-pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Parameter, rows: Rows) -> bool {
+fn row_ui(
+    ui: &mut Ui,
+    scenario: &mut Scenario,
+    parameter: &'static Parameter,
+    rows: Rows,
+    outlook: Outlook<'_>,
+) -> bool {
     let palette = Palette::of(ui);
     let length = scenario.aircraft.length_unit;
     let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-    let si = parameter.get(scenario);
-    let (value, reference) = (si / in_si, parameter.reference(scenario) / in_si);
+    let (value, reference) = (parameter.get(scenario) / in_si, parameter.reference(scenario) / in_si);
     let range = parameter.range(scenario);
     let symbol = Symbol::parse(parameter.symbol);
     let name = format!("{} {}", parameter.name, symbol.plain());
@@ -86,7 +118,8 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
         }
         symbol_ui(ui, &symbol, 16.0, palette.text, Some(SYMBOL_WIDTH));
         let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
-        let rest = FIELD_WIDTH + unit_width + RESET_WIDTH + 5.0 * 4.0 + 8.0;
+        let bars_width = BAR_WIDTH * outlook.modes.len() as f32;
+        let rest = FIELD_WIDTH + unit_width + bars_width + RESET_WIDTH + 6.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {
             name: &name,
             value_text: format!("{shown} {unit}"),
@@ -119,10 +152,11 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
                 ui.label(RichText::new(unit).size(10.5).color(palette.weak));
             },
         );
-        if si != parameter.reference(scenario) {
+        bars_ui(ui, parameter, outlook, Vec2::new(bars_width, height));
+        if parameter.is_edited(scenario) {
             let reset = ui.add(Button::new("↺").frame(false)).accessible_name(format!("Reset {name}"));
             if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
-                new = Some(parameter.reference(scenario));
+                parameter.reset(scenario);
             }
         }
     });
@@ -132,7 +166,11 @@ pub fn row_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Paramete
     if let Some(value) = new
         && let Ok(value) = parameter.check(scenario, value)
     {
-        parameter.set(scenario, value);
+        if value == parameter.reference(scenario) {
+            parameter.reset(scenario);
+        } else {
+            parameter.set(scenario, value);
+        }
     }
     at_it
 }
@@ -167,7 +205,35 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     }
 }
 
-fn help_ui(ui: &mut Ui, parameter: &Parameter) {
+/// A bar a mode: how strongly ten per cent of this parameter move it. The tallest stands for a tenth of |λ| and more.
+fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2) {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let Some(row) = outlook.sensitivities.iter().find(|row| row.key == parameter.key) else { return };
+    let palette = Palette::of(ui);
+    let mut words = Vec::new();
+    for (i, (mode, strength)) in outlook.modes.iter().zip(&row.strengths).enumerate() {
+        let name = mode.naming.name.text();
+        let Some(strength) = strength else {
+            words.push(format!("{name}: two roots meet here, so there is no rate"));
+            continue;
+        };
+        // A square root keeps the weak ones visible.
+        let tall = (strength / 0.1).min(1.0).sqrt() as f32 * (rect.height() - 8.0).min(18.0);
+        let left = rect.left() + BAR_WIDTH * i as f32;
+        let bottom = rect.center().y + 9.0;
+        let bar = Rect::from_min_max(
+            egui::pos2(left, bottom - tall.max(1.0)),
+            egui::pos2(left + BAR_WIDTH - 1.5, bottom),
+        );
+        ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
+        words.push(format!("{name}: λ moves by {} %", significant(100.0 * strength, 2)));
+    }
+    response.on_hover_text(format!("For ten per cent of this, {}", words.join("; ")));
+}
+
+/// The card below the sliders: what one of them means.
+pub fn help_ui(ui: &mut Ui, key: &str) {
+    let Some(parameter) = Parameter::find(key) else { return };
     let palette = Palette::of(ui);
     ui.separator();
     let mut title = Symbol::parse(parameter.symbol).job(15.0, palette.text);

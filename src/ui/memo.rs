@@ -1,40 +1,83 @@
 //! The only cache: what follows from the scenario on screen, computed again only when the scenario has changed.
 
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::locus::Locus;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::Scenario;
+use crate::scenario::{Page, Parameter, RowSensitivity, Scenario};
 
 /// A scenario and what follows from it.
 #[derive(Debug, Default)]
 pub struct Memo {
-    of: Option<(Scenario, Result<Analysis, AnalysisError>)>,
+    of: Option<(Scenario, Page, Followed)>,
+    locus: Option<(Scenario, &'static str, Locus)>,
     computations: u64,
 }
 
+/// What follows from a scenario.
+#[derive(Debug)]
+pub struct Followed {
+    /// The analysis of both planes.
+    pub analysis: Result<Analysis, AnalysisError>,
+    /// How every slider of the page on screen moves the modes of the plane on screen.
+    pub sensitivities: Vec<RowSensitivity>,
+}
+
+impl Followed {
+    fn of(scenario: &Scenario, page: Page) -> Self {
+        let analysis = scenario.analyse();
+        let plane = analysis.as_ref().ok().and_then(|analysis| analysis.of(scenario.plane)?.as_ref().ok());
+        let sensitivities = plane.map_or_else(Vec::new, |plane| scenario.sensitivities(plane, page));
+        Self { analysis, sensitivities }
+    }
+}
+
 impl Memo {
-    /// Computes again if `scenario` is not the one of the last time, and gives what follows from it.
-    pub fn refresh(&mut self, scenario: &Scenario) -> &Result<Analysis, AnalysisError> {
-        if !self.is_of(scenario) {
+    /// Computes again if `scenario` or `page` is not that of the last time, and gives what follows.
+    pub fn refresh(&mut self, scenario: &Scenario, page: Page) -> &Followed {
+        if !self.is_of(scenario, page) {
             self.of = None;
         }
         let computations = &mut self.computations;
-        let (_, analysis) = self.of.get_or_insert_with(|| {
+        let (_, _, followed) = self.of.get_or_insert_with(|| {
             *computations += 1;
-            (scenario.clone(), scenario.analyse())
+            (scenario.clone(), page, Followed::of(scenario, page))
         });
-        analysis
+        followed
     }
 
     /// Whether what it holds follows from `scenario`.
-    pub fn is_of(&self, scenario: &Scenario) -> bool {
-        self.of.as_ref().is_some_and(|(of, _)| of == scenario)
+    pub fn is_of(&self, scenario: &Scenario, page: Page) -> bool {
+        self.of.as_ref().is_some_and(|(of, on, _)| of == scenario && *on == page)
     }
 
     /// What followed at the last refresh.
-    pub fn analysis(&self) -> Option<&Result<Analysis, AnalysisError>> {
-        self.of.as_ref().map(|(_, analysis)| analysis)
+    pub fn followed(&self) -> Option<&Followed> {
+        self.of.as_ref().map(|(_, _, followed)| followed)
     }
 
-    /// How often it has computed, so that tests can see that nothing is computed twice.
+    /// What followed for the plane on screen, where all went well.
+    pub fn plane(&self) -> Option<&PlaneAnalysis> {
+        let (scenario, _, followed) = self.of.as_ref()?;
+        followed.analysis.as_ref().ok()?.of(scenario.plane)?.as_ref().ok()
+    }
+
+    /// The path along which a parameter would send the poles of `scenario`.
+    pub fn locus(&mut self, scenario: &Scenario, parameter: &'static Parameter) -> &Locus {
+        let key = parameter.key;
+        // The path doesn't depend on how far along it the parameter is.
+        let mut start = scenario.clone();
+        parameter.reset(&mut start);
+        if self.locus.as_ref().is_some_and(|(of, on, _)| *of != start || *on != key) {
+            self.locus = None;
+        }
+        let (_, _, locus) = self.locus.get_or_insert_with(|| {
+            let locus = start.locus(parameter);
+            (start, key, locus)
+        });
+        locus
+    }
+
+    /// How often it has analysed, so that tests can see that nothing is computed twice.
     pub fn computations(&self) -> u64 {
         self.computations
     }

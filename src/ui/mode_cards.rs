@@ -7,45 +7,50 @@ use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
-use crate::flight::linear::Longitudinal;
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::handling_qualities::{Level, Verdict};
+use crate::flight::mil_f_8785c::Criterion;
 use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::static_stability::StaticVerdict;
+use crate::flight::naming::ModeName;
+use crate::flight::plane::Plane;
+use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict, Stiffness};
 use crate::number::significant;
 use crate::scenario::Dimension;
 
-/// The verdicts: dynamic, then static, each with its number.
-pub fn verdicts_ui(ui: &mut Ui, analysis: &Analysis, length: LengthUnit) {
-    let dynamic = match analysis.dynamic_stability {
+/// The verdicts: dynamic, then static, each with its numbers.
+pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, length: LengthUnit) {
+    let dynamic = match plane.dynamic_stability {
         DynamicStability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
         DynamicStability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
         DynamicStability::Unstable => {
-            let growing: Vec<String> = analysis
-                .modes
-                .iter()
-                .filter_map(|mode| {
-                    let doubles = mode.time_to_double()?;
-                    let name = mode.naming.name.text().to_lowercase();
-                    Some(format!("the {name} doubles every {} s", significant(doubles, 2)))
-                })
-                .collect();
-            format!("Dynamically unstable: {}", growing.join(", "))
+            let growing = plane.modes.iter().filter_map(|mode| {
+                let doubles = mode.time_to_double()?;
+                let name = mode.naming.name.text();
+                let name = if name.starts_with("Dutch") { name.to_owned() } else { name.to_lowercase() };
+                Some(format!("the {name} doubles every {} s", significant(doubles, 2)))
+            });
+            format!("Dynamically unstable: {}", growing.collect::<Vec<_>>().join(", "))
         }
     };
-    verdict_ui(ui, &dynamic, analysis.dynamic_stability);
+    verdict_ui(ui, &dynamic, plane.dynamic_stability);
 
-    let stiffness = &analysis.static_stability;
-    let (word, relation, stability) = match stiffness.verdict {
+    let PlaneStaticStability { verdict, determinant, stiffness } = &plane.static_stability;
+    let (word, relation, stability) = match verdict {
         StaticVerdict::Stable => ("Statically stable", ">", DynamicStability::Stable),
         StaticVerdict::Neutral => ("Statically neutral", "≈", DynamicStability::Neutral),
         StaticVerdict::Unstable => ("Statically unstable", "<", DynamicStability::Unstable),
     };
-    let m_w = stiffness.m_w / Dimension::PerLengthSecond.in_si(length);
-    let text = format!(
-        "{word}: det A = {} {relation} 0, pitch stiffness {} {}",
-        significant(stiffness.determinant, 3),
-        significant(m_w, 3),
-        Dimension::PerLengthSecond.symbol(length),
-    );
+    let shown = |stiffness: &Stiffness| {
+        let value = stiffness.value / Dimension::PerLengthSecond.in_si(length);
+        format!("{} {}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
+    };
+    let stiffnesses = match stiffness {
+        PlaneStiffness::Longitudinal { m_w, .. } => format!("pitch stiffness {}", shown(m_w)),
+        PlaneStiffness::Lateral { n_v, l_v, .. } => {
+            format!("weathercock stability {}, dihedral effect {}", shown(n_v), shown(l_v))
+        }
+    };
+    let text = format!("{word}: det A = {} {relation} 0, {stiffnesses}", significant(*determinant, 3));
     verdict_ui(ui, &text, stability);
 }
 
@@ -64,7 +69,7 @@ pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) {
 
 /// The sentence that gravity and speed don't belong to one system of units, where they don't.
 pub fn units_warning(analysis: &Analysis) -> Option<String> {
-    let gravity = analysis.gravity;
+    let gravity = analysis.gravity?;
     if gravity.is_plausible() {
         return None;
     }
@@ -83,7 +88,7 @@ pub fn units_warning(analysis: &Analysis) -> Option<String> {
 }
 
 /// One mode's card; `before` is the same mode of the pinned state.
-pub fn card_ui(ui: &mut Ui, mode: &Mode, before: Option<&Mode>) {
+pub fn card_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, before: Option<&Mode>) {
     let palette = Palette::of(ui);
     let color = palette.mode(mode.naming.name);
     let card = Frame::new()
@@ -97,11 +102,13 @@ pub fn card_ui(ui: &mut Ui, mode: &Mode, before: Option<&Mode>) {
             ui.horizontal(|ui| {
                 let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
                 theme::heading(ui, name.color(color), 3);
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chip_ui(ui, mode));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode));
             });
             numbers_ui(ui, mode);
-            participation_ui(ui, mode, color);
+            participation_ui(ui, plane.model.plane, mode, color);
             ui.label(RichText::new(&mode.naming.reason).font(theme::small()).color(palette.weak));
+            levels_ui(ui, plane, mode);
+            approximations_ui(ui, plane, mode);
             if let Some(before) = before {
                 ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
             }
@@ -111,17 +118,71 @@ pub fn card_ui(ui: &mut Ui, mode: &Mode, before: Option<&Mode>) {
     ui.painter().rect_filled(bar, egui::CornerRadius { nw: 8, sw: 8, ne: 0, se: 0 }, color);
 }
 
-/// "Stable", or how fast it grows.
-fn chip_ui(ui: &mut Ui, mode: &Mode) {
-    let (color, ground) = Palette::of(ui).verdict(mode.stability);
+/// Whether it dies away, and the level of handling qualities where there is one.
+fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     let text = match mode.stability {
         DynamicStability::Stable => "stable",
         DynamicStability::Neutral => "neutral",
         DynamicStability::Unstable => "unstable",
     };
+    chip_ui(ui, text, Palette::of(ui).verdict(mode.stability));
+    let worst = judged(plane, mode).map(|verdict| verdict.level).max();
+    if let Some(level) = worst {
+        chip_ui(
+            ui,
+            level.text(),
+            Palette::of(ui).verdict(match level {
+                Level::One => DynamicStability::Stable,
+                Level::Two => DynamicStability::Neutral,
+                Level::Three | Level::Beyond => DynamicStability::Unstable,
+            }),
+        );
+    }
+}
+
+fn chip_ui(ui: &mut Ui, text: &str, (color, ground): (Color32, Color32)) {
     Frame::new().fill(ground).corner_radius(7).inner_margin(Margin::symmetric(7, 2)).show(ui, |ui| {
         ui.label(RichText::new(text).font(theme::semibold(11.0)).color(color));
     });
+}
+
+/// The verdicts on handling qualities that concern a mode.
+fn judged<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a Verdict> {
+    let name = mode.naming.name;
+    plane.levels.iter().filter(move |verdict| match verdict.criterion {
+        Criterion::ShortPeriodDamping | Criterion::ShortPeriodFrequency => name == ModeName::ShortPeriod,
+        Criterion::Phugoid => name == ModeName::Phugoid,
+        Criterion::DutchRoll => name == ModeName::DutchRoll,
+        Criterion::RollMode => name == ModeName::RollSubsidence,
+        Criterion::Spiral => name == ModeName::Spiral,
+        Criterion::CoupledRollSpiral => name == ModeName::CoupledRollSpiral,
+    })
+}
+
+fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
+    for verdict in judged(plane, mode) {
+        ui.label(RichText::new(verdict.sentence()).font(theme::small()));
+    }
+}
+
+/// A line for each textbook approximation: what it gives, how far off it is, and on hover what it leaves out.
+fn approximations_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
+    let palette = Palette::of(ui);
+    for approximation in plane.approximations.iter().filter(|a| a.name.concerns() == mode.naming.name) {
+        let off = |error: f64| {
+            format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2))
+        };
+        let what = if mode.is_oscillatory() { "ω" } else { "λ" };
+        let errors = [
+            approximation.error().map(|error| format!("{what} {}", off(error))),
+            approximation.damping_error().map(|error| format!("ζ {}", off(error))),
+        ];
+        let errors: Vec<String> = errors.into_iter().flatten().collect();
+        let errors = if errors.is_empty() { "gives nothing here".to_owned() } else { errors.join(", ") };
+        let line = format!("≈ {}: {errors}", approximation.name.text());
+        let label = ui.label(RichText::new(line).font(theme::small()).color(palette.weak));
+        label.on_hover_text(format!("{}\nLeaves out: {}", approximation.formula, approximation.neglects));
+    }
 }
 
 /// One number of a card: symbol, text with its unit, and what it is.
@@ -182,16 +243,18 @@ fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
 }
 
 /// Four segments as wide as the participation of each state.
-fn participation_ui(ui: &mut Ui, mode: &Mode, color: Color32) {
+fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode, color: Color32) {
     let palette = Palette::of(ui);
     let (rect, response) =
         ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
     let mut x = rect.left();
     let mut words = Vec::new();
-    for (state, (symbol, strength)) in
-        Longitudinal::ALL.into_iter().zip([("u", 0.9), ("α", 0.75), ("q", 0.9), ("θ", 0.75)])
-    {
-        let share = mode.share(state);
+    let symbols = match plane {
+        Plane::Longitudinal => ["u", "α", "q", "θ"],
+        Plane::Lateral => ["β", "p", "r", "φ"],
+    };
+    for (i, (symbol, share)) in symbols.into_iter().zip(mode.participation).enumerate() {
+        let strength = if i % 2 == 0 { 0.9 } else { 0.75 };
         let width = rect.width() * share as f32;
         let segment =
             Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));

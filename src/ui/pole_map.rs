@@ -3,12 +3,13 @@
 use egui::{
     Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role,
 };
-use egui_plot::{LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points, Span, VLine};
+use egui_plot::{Line, LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points, Span, VLine};
 
 use super::axis_range::{AxisRange, round_up};
 use super::pole_grid::{self, View};
 use super::pole_labels::Placement;
 use super::theme::{self, Palette};
+use crate::flight::locus::{Locus, Sample};
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::number::{fixed, significant};
 
@@ -30,7 +31,7 @@ struct MapRange {
 
 impl PoleMap {
     /// Draws both maps side by side, or one above the other where that gives them a better shape.
-    pub fn show(&mut self, ui: &mut Ui, modes: &[Mode], ghost: Option<&[Mode]>) {
+    pub fn show(&mut self, ui: &mut Ui, modes: &[Mode], ghost: Option<&[Mode]>, locus: Option<&Locus>) {
         let palette = Palette::of(ui);
         let (rect, _) = ui.allocate_exact_size(ui.available_size(), egui::Sense::hover());
         let split = rect.left() + (0.6 * rect.width()).round();
@@ -53,8 +54,9 @@ impl PoleMap {
             views.push(range.toward(ui, map.wanted_view(), map.plot_rect()));
         }
         let [whole, slow] = maps;
-        Map { inset: Some(views[1]), ..whole }.show(ui, palette, views[0], modes, ghost);
-        slow.show(ui, palette, views[1], modes, ghost);
+        let drawn = Drawn { modes, ghost, locus };
+        Map { inset: Some(views[1]), ..whole }.show(ui, palette, views[0], drawn);
+        slow.show(ui, palette, views[1], drawn);
     }
 }
 
@@ -72,6 +74,15 @@ impl MapRange {
         let y = self.y.toward(ui, -top..=top);
         View { left: *x.start(), right: *x.end(), top: *y.end() }
     }
+}
+
+/// What both maps draw.
+#[derive(Clone, Copy)]
+struct Drawn<'a> {
+    modes: &'a [Mode],
+    ghost: Option<&'a [Mode]>,
+    /// The path of the slider that the person is at.
+    locus: Option<&'a Locus>,
 }
 
 /// One of the two maps.
@@ -104,7 +115,8 @@ impl Map<'_> {
         }
     }
 
-    fn show(&self, ui: &mut Ui, palette: &Palette, view: View, modes: &[Mode], ghost: Option<&[Mode]>) {
+    fn show(&self, ui: &mut Ui, palette: &Palette, view: View, drawn: Drawn<'_>) {
+        let Drawn { modes, ghost, locus } = drawn;
         ui.painter().text(self.rect.min, Align2::LEFT_TOP, self.name, theme::small(), palette.weak);
         let rect = self.plot_rect();
         let plot = ui
@@ -128,6 +140,9 @@ impl Map<'_> {
                         plane(plot, view, palette);
                         if let Some(inset) = self.inset {
                             frame_of(plot, inset, palette);
+                        }
+                        for branch in locus.into_iter().flat_map(|locus| branches(locus, palette)) {
+                            plot.line(branch);
                         }
                         for mode in ghost.into_iter().flatten() {
                             plot.points(
@@ -187,6 +202,28 @@ fn poles(mode: &Mode) -> Points<'static> {
         points.push(PlotPoint::new(mode.lambda.re, -mode.lambda.im));
     }
     Points::new(mode.naming.name.text(), PlotPoints::Owned(points)).allow_hover(false)
+}
+
+/// The path of each pole in the colour of its mode, broken where there is no such aircraft.
+fn branches(locus: &Locus, palette: &Palette) -> Vec<Line<'static>> {
+    let line = |points: Vec<PlotPoint>, color: Color32| {
+        let line = Line::new("", PlotPoints::Owned(points)).color(color.gamma_multiply(0.65)).width(2.0);
+        line.style(LineStyle::dotted_dense()).allow_band(false).allow_hover(false)
+    };
+    let mut lines = Vec::new();
+    for (branch, name) in locus.names.iter().enumerate() {
+        let color = name.map_or(palette.ghost, |name| palette.mode(name));
+        for run in locus.samples.split(|sample| sample.poles.is_none()) {
+            let pole = |sample: &Sample| {
+                sample.poles.map(|poles| PlotPoint::new(poles[branch].re, poles[branch].im))
+            };
+            let points: Vec<PlotPoint> = run.iter().filter_map(pole).collect();
+            if points.len() > 1 {
+                lines.push(line(points, color));
+            }
+        }
+    }
+    lines
 }
 
 /// Half planes, stability boundary, real axis, rays and arcs.

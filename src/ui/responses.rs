@@ -8,8 +8,8 @@ use super::derivatives::{self, Rows};
 use super::response_plot::{Curve, Curves, ResponsePlot};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
-use crate::flight::Analysis;
-use crate::flight::linear::Longitudinal;
+use crate::flight::analysis::Motion;
+use crate::flight::plane::Plane;
 use crate::flight::response::Response;
 use crate::number::significant;
 use crate::scenario::{Dimension, DisturbanceKind, Parameter, Scenario};
@@ -20,8 +20,8 @@ pub struct Responses {
     plots: [ResponsePlot; 6],
     /// Time under the pointer \[s\].
     cursor: Option<f64>,
-    /// Whether the second plot shows w instead of α = w/U₀.
-    w_instead_of_alpha: bool,
+    /// Whether the flow angle is shown as the velocity it is made of: w, v.
+    velocity_for_angle: bool,
 }
 
 /// What one curve shows.
@@ -29,21 +29,68 @@ pub struct Responses {
 struct Quantity {
     symbol: &'static str,
     dimension: Dimension,
-    state: Longitudinal,
+    /// Row of the state vector.
+    state: usize,
+    /// Over the airspeed, which turns w into α and v into β.
+    over_speed: bool,
 }
 
-const U: Quantity = Quantity { symbol: "Δu", dimension: Dimension::Speed, state: Longitudinal::U };
-const W: Quantity = Quantity { symbol: "Δw", dimension: Dimension::Speed, state: Longitudinal::W };
-/// α = w/U₀: of the angles' dimension, which tells it from w.
-const ALPHA: Quantity = Quantity { symbol: "Δα", dimension: Dimension::Angle, state: Longitudinal::W };
-const Q: Quantity = Quantity { symbol: "q", dimension: Dimension::AngularRate, state: Longitudinal::Q };
-const THETA: Quantity = Quantity { symbol: "Δθ", dimension: Dimension::Angle, state: Longitudinal::Theta };
+const fn quantity(symbol: &'static str, dimension: Dimension, state: usize) -> Quantity {
+    Quantity { symbol, dimension, state, over_speed: false }
+}
+
+const fn flow_angle(symbol: &'static str, state: usize) -> Quantity {
+    Quantity { symbol, dimension: Dimension::Angle, state, over_speed: true }
+}
+
+const U: Quantity = quantity("Δu", Dimension::Speed, 0);
+const W: Quantity = quantity("Δw", Dimension::Speed, 1);
+const ALPHA: Quantity = flow_angle("Δα", 1);
+const Q: Quantity = quantity("q", Dimension::AngularRate, 2);
+const THETA: Quantity = quantity("Δθ", Dimension::Angle, 3);
+const V: Quantity = quantity("v", Dimension::Speed, 0);
+const BETA: Quantity = flow_angle("β", 0);
+const P: Quantity = quantity("p", Dimension::AngularRate, 1);
+const R: Quantity = quantity("r", Dimension::AngularRate, 2);
+const PHI: Quantity = quantity("φ", Dimension::Angle, 3);
+
+/// What the plots of a plane show.
+struct Shown {
+    /// The four states, the flow angle among them.
+    states: [Quantity; 4],
+    /// The flow angle, and the velocity that can stand in its place.
+    angle: Quantity,
+    velocity: Quantity,
+    /// The rate of the phase portrait, over the flow angle.
+    rate: Quantity,
+    /// The two on the buttons that choose, and the axis of the phase portrait.
+    words: [&'static str; 3],
+}
+
+const fn shown(plane: Plane) -> Shown {
+    match plane {
+        Plane::Longitudinal => Shown {
+            states: [U, ALPHA, Q, THETA],
+            angle: ALPHA,
+            velocity: W,
+            rate: Q,
+            words: ["α", "w", "α in deg"],
+        },
+        Plane::Lateral => Shown {
+            states: [BETA, P, R, PHI],
+            angle: BETA,
+            velocity: V,
+            rate: P,
+            words: ["β", "v", "β in deg"],
+        },
+    }
+}
 
 impl Quantity {
-    /// One SI unit of the state in the shown unit.
-    fn scale(self, scenario: &Scenario) -> f64 {
+    /// One SI unit of the state in the shown unit, at an airspeed \[m/s\].
+    fn scale(self, scenario: &Scenario, speed: f64) -> f64 {
         let unit = self.dimension.in_si(scenario.aircraft.length_unit);
-        if self == ALPHA { 1.0 / (scenario.model.u0 * unit) } else { 1.0 / unit }
+        if self.over_speed { 1.0 / (speed * unit) } else { 1.0 / unit }
     }
 }
 
@@ -52,17 +99,16 @@ impl Quantity {
 pub struct Studied<'a> {
     /// What is studied.
     pub scenario: &'a Scenario,
-    /// What follows.
-    pub analysis: &'a Analysis,
+    /// The motion that follows.
+    pub motion: &'a Motion,
 }
 
 impl Studied<'_> {
     fn curve(&self, quantity: Quantity, in_units_of: &Scenario) -> Curve {
-        // The pinned state is drawn in the units of the one on screen; α is over its own U₀.
-        let scale =
-            if quantity == ALPHA { quantity.scale(self.scenario) } else { quantity.scale(in_units_of) };
-        let Response { dt, states, .. } = &self.analysis.response;
-        let row = quantity.state.index();
+        // The pinned state is drawn in the units of the one on screen; its flow angle is over its own speed.
+        let scale = quantity.scale(in_units_of, self.motion.speed);
+        let Response { dt, states, .. } = &self.motion.response;
+        let row = quantity.state;
         let point = |(k, x): (usize, &Vector4<f64>)| PlotPoint::new(k as f64 * dt, x[row] * scale);
         let points = states.iter().enumerate().map(point).collect();
         Curve { points, small: self.small() }
@@ -70,13 +116,13 @@ impl Studied<'_> {
 
     /// How many samples, from the first, are of a small disturbance.
     fn small(&self) -> usize {
-        let Response { dt, states, .. } = &self.analysis.response;
-        self.analysis.small_until.map_or(states.len(), |time| (time / dt).round() as usize)
+        let Response { dt, states, .. } = &self.motion.response;
+        self.motion.small_until.map_or(states.len(), |time| (time / dt).round() as usize)
     }
 
     /// The input as it is: its edges upright.
     fn input(&self) -> Curve {
-        let experiment = self.scenario.disturbance.experiment();
+        let experiment = self.scenario.disturbance.experiment(self.motion.plane);
         let scale = 1.0 / self.input_dimension().in_si(LengthUnit::Metre) * self.input_sign();
         let end = experiment.grid.duration;
         let mut points = vec![PlotPoint::new(0.0, 0.0)];
@@ -90,37 +136,53 @@ impl Studied<'_> {
         Curve { small: points.len(), points }
     }
 
+    fn kind(&self) -> DisturbanceKind {
+        self.scenario.disturbance.kind(self.motion.plane)
+    }
+
     fn input_dimension(&self) -> Dimension {
-        match self.scenario.disturbance.kind {
-            DisturbanceKind::ElevatorStep | DisturbanceKind::ElevatorPulse => Dimension::Angle,
-            DisturbanceKind::VerticalGust => Dimension::AirSpeed,
+        match self.kind() {
+            DisturbanceKind::ElevatorStep
+            | DisturbanceKind::ElevatorPulse
+            | DisturbanceKind::AileronPulse
+            | DisturbanceKind::RudderPulse => Dimension::Angle,
+            DisturbanceKind::ThrottleStep => Dimension::Percent,
+            DisturbanceKind::VerticalGust | DisturbanceKind::SideGust => Dimension::AirSpeed,
         }
     }
 
-    /// A gust is shown upward positive, against z.
+    /// A vertical gust is shown upward positive, against z.
     fn input_sign(&self) -> f64 {
-        if self.input_dimension() == Dimension::AirSpeed { -1.0 } else { 1.0 }
+        if self.kind() == DisturbanceKind::VerticalGust { -1.0 } else { 1.0 }
+    }
+
+    fn input_symbol(&self) -> &'static str {
+        match self.kind() {
+            DisturbanceKind::ElevatorStep | DisturbanceKind::ElevatorPulse => "δ_e",
+            DisturbanceKind::ThrottleStep => "δ_t",
+            DisturbanceKind::VerticalGust => "w_g ↑",
+            DisturbanceKind::AileronPulse => "δ_a",
+            DisturbanceKind::RudderPulse => "δ_r",
+            DisturbanceKind::SideGust => "v_g",
+        }
     }
 }
 
 /// The row of the disturbance and its rows of numbers; edits `scenario` in place.
 pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario) {
-    let kind = scenario.disturbance.kind;
+    let plane = scenario.plane;
+    let kind = scenario.disturbance.kind(plane);
     let chooser = ComboBox::from_id_salt("disturbance").selected_text(kind.text()).width(130.0);
     let chooser = chooser.show_ui(ui, |ui| {
-        for other in DisturbanceKind::ALL {
+        for &other in DisturbanceKind::of(plane) {
             if ui.selectable_label(kind == other, other.text()).clicked() {
-                scenario.disturbance.kind = other;
+                *scenario.disturbance.kind_mut(plane) = other;
                 ui.close();
             }
         }
     });
     theme::name_chooser(chooser, "Disturbance", kind.text());
-    let keys: &[&str] = match scenario.disturbance.kind {
-        DisturbanceKind::ElevatorStep => &["step", "time"],
-        DisturbanceKind::ElevatorPulse => &["pulse", "pulse_for", "time"],
-        DisturbanceKind::VerticalGust => &["gust", "time"],
-    };
+    let keys = scenario.disturbance.kind(plane).parameters();
     for parameter in keys.iter().filter_map(|key| Parameter::find(key)) {
         derivatives::compact_ui(ui, scenario, parameter);
     }
@@ -132,16 +194,16 @@ impl Responses {
         ui.horizontal_wrapped(|ui| {
             theme::heading(ui, RichText::new("Response to").heading(), 2);
             disturbance_ui(ui, scenario);
-            ui.selectable_value(&mut self.w_instead_of_alpha, false, "α")
-                .on_hover_text("Angle of attack, α = w/U₀");
-            ui.selectable_value(&mut self.w_instead_of_alpha, true, "w")
-                .on_hover_text("Velocity along z, downward positive");
+            let [angle, velocity, _] = shown(scenario.plane).words;
+            let hover = "The flow angle, or the velocity it is made of: α = w/U₀, β = v/V";
+            ui.selectable_value(&mut self.velocity_for_angle, false, angle).on_hover_text(hover);
+            ui.selectable_value(&mut self.velocity_for_angle, true, velocity).on_hover_text(hover);
         });
     }
 
     /// Draws the plots over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
-        if let Some(time) = studied.analysis.small_until {
+        if let Some(time) = studied.motion.small_until {
             let text = format!(
                 "From t = {} s this is no small disturbance any more: the linear model means nothing there.",
                 significant(time, 3)
@@ -181,8 +243,11 @@ impl Responses {
         };
         let length = studied.scenario.aircraft.length_unit;
         let mut cursor = self.cursor;
-        let second = if self.w_instead_of_alpha { W } else { ALPHA };
-        for (i, quantity) in [U, second, Q, THETA].into_iter().enumerate() {
+        let Shown { states, angle, velocity, rate, words } = shown(studied.motion.plane);
+        for (i, mut quantity) in states.into_iter().enumerate() {
+            if self.velocity_for_angle && quantity == angle {
+                quantity = velocity;
+            }
             let now = studied.curve(quantity, studied.scenario);
             let pinned = ghost.map(|ghost| ghost.curve(quantity, studied.scenario));
             let curves = Curves {
@@ -196,31 +261,31 @@ impl Responses {
         }
         let input = studied.input();
         let dimension = studied.input_dimension();
-        let symbol = if dimension == Dimension::Angle { "δ_e" } else { "w_g ↑" };
+        let symbol = studied.input_symbol();
         let curves =
             Curves { symbol, unit: dimension.symbol(length), against: ("t", "s"), now: &input, ghost: None };
         self.plots[4].show(ui, place(4), &curves, &mut cursor);
 
-        let path = phase_portrait(studied);
-        let pinned = ghost.map(phase_portrait);
+        let path = phase_portrait(studied, angle, rate);
+        let pinned = ghost.map(|ghost| phase_portrait(ghost, angle, rate));
         let curves = Curves {
-            symbol: "q",
+            symbol: rate.symbol,
             unit: "deg/s",
-            against: ("Δα", "α in deg"),
+            against: (angle.symbol, words[2]),
             now: &path,
             ghost: pinned.as_ref(),
         };
-        let mark = cursor
-            .and_then(|t| path.points.get((t / studied.analysis.response.dt).round() as usize).copied());
+        let mark =
+            cursor.and_then(|t| path.points.get((t / studied.motion.response.dt).round() as usize).copied());
         self.plots[5].show_path(ui, place(5), &curves, mark);
         self.cursor = cursor;
     }
 }
 
-/// q over α, both in degrees.
-fn phase_portrait(studied: Studied<'_>) -> Curve {
-    let alpha = studied.curve(ALPHA, studied.scenario);
-    let q = studied.curve(Q, studied.scenario);
-    let points = alpha.points.iter().zip(&q.points).map(|(alpha, q)| PlotPoint::new(alpha.y, q.y)).collect();
-    Curve { points, small: alpha.small }
+/// A rate over a flow angle, both in degrees.
+fn phase_portrait(studied: Studied<'_>, angle: Quantity, rate: Quantity) -> Curve {
+    let over = studied.curve(angle, studied.scenario);
+    let of = studied.curve(rate, studied.scenario);
+    let points = over.points.iter().zip(&of.points).map(|(over, of)| PlotPoint::new(over.y, of.y)).collect();
+    Curve { points, small: over.small }
 }

@@ -7,6 +7,7 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Theme, Ui};
 use super::app::{Action, Ghost};
 use super::theme::{self, Palette};
 use crate::content::{Aircraft, Status};
+use crate::flight::plane::Plane;
 use crate::scenario::Scenario;
 
 /// What the bar has to know beside the scenario.
@@ -33,7 +34,8 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             ui.add_space(6.0);
         }
         action = aircraft_ui(ui, bar);
-        status_ui(ui, &bar.scenario.aircraft);
+        status_ui(ui, bar.scenario);
+        action = plane_ui(ui, bar).or(action.take());
         let right = if bar.narrow {
             Layout::left_to_right(Align::Center)
         } else {
@@ -70,13 +72,28 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     action
 }
 
-fn status_ui(ui: &mut Ui, aircraft: &Aircraft) {
+/// The status of the plane on screen.
+fn status_ui(ui: &mut Ui, scenario: &Scenario) {
     let palette = Palette::of(ui);
-    let (text, color) = match aircraft.status {
+    let Some(notes) = scenario.aircraft.notes_of(scenario.plane) else { return };
+    let (text, color) = match notes.status {
         Status::Verified => ("✓ verified", palette.good),
         Status::Unverified => ("unverified", palette.warning),
     };
-    ui.label(RichText::new(text).font(theme::small()).color(color)).on_hover_text(&aircraft.status_reason);
+    ui.label(RichText::new(text).font(theme::small()).color(color)).on_hover_text(&notes.status_reason);
+}
+
+/// Longitudinal or lateral–directional, where the aircraft has both.
+fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
+    let mut action = None;
+    bar.scenario.aircraft.lateral_notes.as_ref()?;
+    let words = if bar.narrow { ["Long.", "Lateral"] } else { ["Longitudinal", "Lateral–directional"] };
+    for (plane, text) in [Plane::Longitudinal, Plane::Lateral].into_iter().zip(words) {
+        if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
+            action = Some(Action::Turn(plane));
+        }
+    }
+    action
 }
 
 /// The tools, from the right edge inwards where there is room.

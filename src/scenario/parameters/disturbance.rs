@@ -89,7 +89,10 @@ pub(super) const ROWS: [Parameter; 9] = [
         "v_g",
         "speed of the air from the left",
         (Dimension::AirSpeed, -20.0, 20.0),
-        ("Air that moves across the flight, to the right positive.", "Positive blows the aircraft to the right."),
+        (
+            "Air that moves across the flight, to the right positive.",
+            "Positive blows the aircraft to the right.",
+        ),
         |d| &mut d.side_gust_speed,
     ),
     row(

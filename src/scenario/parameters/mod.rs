@@ -37,6 +37,21 @@ impl Page {
     /// The pages of the derivatives pane, in its order.
     pub const DERIVATIVES: [Self; 3] = [Self::Coefficients, Self::Dimensional, Self::Matrix];
 
+    /// Whether an aircraft goes back that far.
+    pub fn is_of(self, scenario: &Scenario) -> bool {
+        match self {
+            Self::Coefficients => matches!(scenario.edited.study, Study::Coefficients(_)),
+            Self::Dimensional => !matches!(scenario.edited.study, Study::Matrices(_)),
+            Self::Matrix => true,
+            Self::Disturbance => false,
+        }
+    }
+
+    /// The first page that an aircraft has.
+    pub fn of(scenario: &Scenario) -> Self {
+        Self::DERIVATIVES.into_iter().find(|page| page.is_of(scenario)).unwrap_or(Self::Matrix)
+    }
+
     /// The words on screen.
     pub const fn text(self) -> &'static str {
         match self {
@@ -336,7 +351,7 @@ impl Parameter {
                 let speed = scenario.aircraft.speed();
                 let floor = match self.dimension {
                     Dimension::Speed | Dimension::Acceleration => floor * speed,
-                    Dimension::PerLengthSecond => floor / speed,
+                    Dimension::PerLengthSecond | Dimension::PerLength => floor / speed,
                     _ => floor,
                 };
                 let size = reference.abs().max(floor);

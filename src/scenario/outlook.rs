@@ -1,0 +1,76 @@
+//! What a slider would do: how strongly it moves each mode, and the path along which it would send the poles.
+
+use nalgebra::Matrix4;
+
+use super::Scenario;
+use super::parameters::{Page, Parameter, parameters};
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::locus::{Locus, locus};
+use crate::flight::sensitivity::{Sensitivity, sensitivity};
+
+/// How one parameter moves the modes of the studied plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowSensitivity {
+    /// Key of the parameter.
+    pub key: &'static str,
+    /// One a mode, in the order of the analysis, per unit of the parameter.
+    pub modes: Vec<Sensitivity>,
+    /// Change of each |λ| relative to itself for a change of the parameter by ten per cent (of a twentieth of its slider where
+    /// it is near zero); `None` at a repeated root.
+    pub strengths: Vec<Option<f64>>,
+}
+
+impl Scenario {
+    /// The sensitivities of every parameter on a page that the aircraft has.
+    pub fn sensitivities(&self, analysis: &PlaneAnalysis, page: Page) -> Vec<RowSensitivity> {
+        let shown = |p: &&Parameter| p.page == page && p.plane.is_none_or(|plane| plane == self.plane);
+        parameters().filter(shown).filter_map(|p| self.sensitivity(analysis, p)).collect()
+    }
+
+    fn sensitivity(&self, analysis: &PlaneAnalysis, parameter: &'static Parameter) -> Option<RowSensitivity> {
+        let a_rate = self.matrix_rate(parameter)?;
+        let range = parameter.range(self);
+        let change = (0.1 * parameter.get(self).abs()).max(0.05 * (range.end() - range.start()) / 3.0);
+        let modes: Vec<Sensitivity> = analysis.modes.iter().map(|mode| sensitivity(mode, &a_rate)).collect();
+        let fastest = analysis.modes.iter().map(|mode| mode.lambda.norm()).fold(f64::MIN_POSITIVE, f64::max);
+        let strength = |(mode, sensitivity): (&crate::flight::modes::Mode, &Sensitivity)| {
+            let size = mode.lambda.norm().max(1e-3 * fastest);
+            sensitivity.rate().map(|rate| (rate.lambda.norm() * change / size).min(f64::MAX))
+        };
+        let strengths = analysis.modes.iter().zip(&modes).map(strength).collect();
+        Some(RowSensitivity { key: parameter.key, modes, strengths })
+    }
+
+    /// ∂A/∂p of the studied plane; `None` where the parameter or the model is missing.
+    ///
+    /// A depends on a coefficient, a derivative or an entry of its own by at most a fraction of low degree, on a knob smoothly;
+    /// two central differences with Richardson's extrapolation leave an error of the fourth order in a step of a thousandth of
+    /// the slider: below 1e-9 of the entry.
+    pub fn matrix_rate(&self, parameter: &Parameter) -> Option<Matrix4<f64>> {
+        let p = parameter.applies(self).then(|| parameter.get(self))?;
+        let range = parameter.range(self);
+        let step = 1e-3 * (range.end() - range.start());
+        let difference = |h: f64| {
+            Some((self.matrix_at(parameter, p + h)? - self.matrix_at(parameter, p - h)?) / (2.0 * h))
+        };
+        Some((difference(0.5 * step)? * 4.0 - difference(step)?) / 3.0)
+    }
+
+    /// A of the studied plane with one parameter at another value.
+    fn matrix_at(&self, parameter: &Parameter, value: f64) -> Option<Matrix4<f64>> {
+        let mut moved = self.clone();
+        parameter.set(&mut moved, value);
+        Some(moved.edited.models().ok()?.of(self.plane)?.a)
+    }
+
+    /// The path of the poles along the whole range of a parameter's slider.
+    pub fn locus(&self, parameter: &Parameter) -> Locus {
+        let range = parameter.range(self);
+        locus(
+            self.plane,
+            |value| self.matrix_at(parameter, value),
+            (*range.start(), *range.end()),
+            parameter.get(self),
+        )
+    }
+}

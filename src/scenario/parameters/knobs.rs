@@ -1,0 +1,183 @@
+//! The knobs: flight condition, mass, inertia, centre of gravity, tail, fin and dihedral.
+
+use super::{Extent, Group, Page, Parameter, Place};
+use crate::flight::plane::Plane;
+use crate::scenario::Dimension;
+
+pub(super) const ROWS: [Parameter; 11] = [
+    Parameter {
+        key: "speed",
+        symbol: "V",
+        name: "airspeed",
+        page: Page::Coefficients,
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::AirSpeed,
+        meaning: "True airspeed. It moves every dimensional derivative through the dynamic pressure, the \
+            Mach number, and the trim lift, with drag, C_Dα, Cl_r and Cn_p after it.",
+        sign: "Positive. Faster stiffens and speeds up the short period and the roll, and slows the phugoid \
+            down.",
+        origin: "C_L = W cos γ₀/(q̄S), with q̄ = ½ρV²; drag grows with C_L².",
+        place: Place::Condition(|c| &mut c.speed),
+        extent: Extent::Relative { low: 0.5, high: 1.6, floor: 10.0 },
+    },
+    Parameter {
+        key: "altitude",
+        symbol: "h",
+        name: "altitude",
+        page: Page::Coefficients,
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Length,
+        meaning: "Height in the standard atmosphere. It moves every dimensional derivative through the \
+            density, the Mach number through the speed of sound, and the trim lift, with drag, C_Dα, Cl_r \
+            and Cn_p after it.",
+        sign: "Higher is thinner air at the same true airspeed: less damping in every fast mode.",
+        origin: "International standard atmosphere; C_L = W cos γ₀/(q̄S).",
+        place: Place::Condition(|c| &mut c.altitude),
+        extent: Extent::Fixed { low: 0.0, high: 13_000.0 },
+    },
+    Parameter {
+        key: "gamma",
+        symbol: "γ_0",
+        name: "flight-path angle",
+        page: Page::Coefficients,
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Angle,
+        meaning: "Angle of the steady flight path above the horizon. It moves the gravity terms g cos θ₀ and \
+            g sin θ₀, and tan θ₀ of the lateral motion; by a little also the trim lift and the thrust in X_u \
+            and M_u.",
+        sign: "Positive climbs, negative descends.",
+        origin: "C_L = W cos γ₀/(q̄S), and thrust T = D + W sin γ₀.",
+        place: Place::Condition(|c| &mut c.gamma0),
+        extent: Extent::Fixed { low: -0.26, high: 0.26 },
+    },
+    Parameter {
+        key: "mass",
+        symbol: "m/m_0",
+        name: "mass",
+        page: Page::Coefficients,
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Mass over that of the reference. It divides every force derivative, X, Y and Z, and raises \
+            the trim lift, with drag, C_Dα, Cl_r and Cn_p after it.",
+        sign: "Above 100 % is heavier: flown at a higher C_L, with less heave damping.",
+        origin: "C_L = W cos γ₀/(q̄S). The inertias have their own knobs.",
+        place: Place::Knob(|k| &mut k.mass_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
+    Parameter {
+        key: "ix",
+        symbol: "I_x/I_{x0}",
+        name: "roll inertia",
+        page: Page::Coefficients,
+        plane: Some(Plane::Lateral),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Moment of inertia in roll over that of the reference. It divides every L derivative, and \
+            through the product of inertia it moves L′ and N′ too.",
+        sign: "Above 100 % is more mass in the wings: the roll mode is slower.",
+        origin: "Rolling moments over Ix; the product of inertia stays.",
+        place: Place::Knob(|k| &mut k.ix_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
+    Parameter {
+        key: "iy",
+        symbol: "I_y/I_{y0}",
+        name: "pitch inertia",
+        page: Page::Coefficients,
+        plane: Some(Plane::Longitudinal),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Moment of inertia in pitch over that of the reference. It divides every M derivative.",
+        sign: "Above 100 % is more mass in nose and tail: the short period is slower, and pitch damping \
+            weaker.",
+        origin: "Pitching moments over Iy.",
+        place: Place::Knob(|k| &mut k.iy_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
+    Parameter {
+        key: "iz",
+        symbol: "I_z/I_{z0}",
+        name: "yaw inertia",
+        page: Page::Coefficients,
+        plane: Some(Plane::Lateral),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Moment of inertia in yaw over that of the reference. It divides every N derivative, and \
+            through the product of inertia it moves L′ and N′ too.",
+        sign: "Above 100 % is more mass far from the centre: the Dutch roll is slower.",
+        origin: "Yawing moments over Iz; the product of inertia stays.",
+        place: Place::Knob(|k| &mut k.iz_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
+    Parameter {
+        key: "cg",
+        symbol: "Δx_{cg}/c",
+        name: "shift of the centre of gravity",
+        page: Page::Coefficients,
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "How far the centre of gravity lies behind that of the reference, in mean chords. It moves \
+            Cm_α, Cm_q, Cm_α̇, Cm_M, Cm_δe and C_Lq, and by less Cn_β, Cn_p, Cn_r, Cn_δa, Cn_δr, CY_r and \
+            Cl_r.",
+        sign: "Positive is aft and takes pitch stiffness away; aft of the neutral point the aircraft is \
+            statically unstable.",
+        origin: "Cm_α = C_Lα (h − h_n); forces and velocities carried to the new centre as by a rigid body. \
+            Inertias stay.",
+        place: Place::Knob(|k| &mut k.cg_shift),
+        extent: Extent::Fixed { low: -0.3, high: 0.4 },
+    },
+    Parameter {
+        key: "tail",
+        symbol: "S_t/S_{t0}",
+        name: "size of the horizontal tail",
+        page: Page::Coefficients,
+        plane: Some(Plane::Longitudinal),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Area of the horizontal tail over that of the reference, its arm the same. It moves C_Lα, \
+            Cm_α, C_Lα̇, Cm_α̇, C_Lq, Cm_q, and the elevator's C_Lδe, C_Dδe and Cm_δe.",
+        sign: "Larger stiffens and damps the short period; at 0 % the tail is gone, and with it the \
+            elevator.",
+        origin: "Cm_α = −η a_t V_H (1 − dε/dα) and Cm_q = −2.2 η a_t V_H l_t/c̄, the tail's part of each. \
+            Its own mass and drag are left out.",
+        place: Place::Knob(|k| &mut k.tail_ratio),
+        extent: Extent::Fixed { low: 0.0, high: 2.0 },
+    },
+    Parameter {
+        key: "fin",
+        symbol: "S_v/S_{v0}",
+        name: "size of the fin",
+        page: Page::Coefficients,
+        plane: Some(Plane::Lateral),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Area of fin and rudder over that of the reference, arm and height the same. It moves every \
+            coefficient by β, p and r, most of all Cn_β and Cn_r, and the rudder's CY_δr, Cl_δr and Cn_δr.",
+        sign: "Larger stiffens and damps the Dutch roll, and often lets the spiral diverge; at 0 % the fin \
+            is gone, and with it the rudder.",
+        origin: "Cn_β = −(l_v/b) CY_βv, Cl_β = (z_v/b) CY_βv and Cn_r = 2 (l_v/b)² CY_βv, the fin's part of \
+            each. Its own mass and drag are left out.",
+        place: Place::Knob(|k| &mut k.fin_ratio),
+        extent: Extent::Fixed { low: 0.0, high: 2.0 },
+    },
+    Parameter {
+        key: "dihedral",
+        symbol: "ΔΓ",
+        name: "change of dihedral",
+        page: Page::Coefficients,
+        plane: Some(Plane::Lateral),
+        group: Group::Aircraft,
+        dimension: Dimension::Angle,
+        meaning: "How much further the wing tips are bent up than in the reference. It moves Cl_β, the \
+            dihedral effect.",
+        sign: "Positive is tips up: it steadies the spiral and takes damping from the Dutch roll.",
+        origin: "Cl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing.",
+        place: Place::Knob(|k| &mut k.dihedral_change),
+        extent: Extent::Fixed { low: -0.175, high: 0.175 },
+    },
+];
