@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eigenwing::flight::approximations::approximations;
-use eigenwing::flight::eigen::{EigenError, eigen};
+use eigenwing::flight::eigen::{EigenError, eigen, eigenvalues};
 use eigenwing::flight::handling_qualities::handling_qualities;
 use eigenwing::flight::inputs::Input;
 use eigenwing::flight::inverse::{Adjustable, place_pole};
@@ -113,7 +113,8 @@ fn modal(criterion: &mut Criterion) {
             a[(2, if plane == Plane::Longitudinal { 1 } else { 0 })] *= value;
             Some(a)
         };
-        bench("locus_adaptive", &|| drop(black_box(locus(plane, entry, (-1.0, 3.0), 1.0))));
+        bench("locus_200", &|| drop(black_box(locus(plane, entry, (-1.0, 3.0), 1.0, 200))));
+        bench("locus_60", &|| drop(black_box(locus(plane, entry, (-1.0, 3.0), 1.0, 60))));
         let entries = [(1, 0), (1, 1), (2, 0), (2, 1), (2, 2)];
         let parameters = entries.map(|e| {
             let value = model.a[e];
@@ -137,6 +138,7 @@ fn modal(criterion: &mut Criterion) {
 fn analysis(criterion: &mut Criterion) {
     let (a, b) = model();
     criterion.bench_function("eigen", |bench| bench.iter(|| eigen(black_box(&a))));
+    criterion.bench_function("eigenvalues", |bench| bench.iter(|| eigenvalues(black_box(&a))));
     criterion.bench_function("respond_1201", |bench| bench.iter(|| respond(black_box(&a), &b, &STEP, GRID)));
     criterion.bench_function("slider_tick", |bench| bench.iter(|| slider_tick(black_box(&a), &b)));
 }

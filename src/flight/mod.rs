@@ -10,6 +10,9 @@
 //! | *w* | perturbation of velocity along *z* \[m/s\], downward positive; α ≈ w/U₀ |
 //! | *q* | pitch rate \[rad/s\], nose-up positive |
 //! | *θ* | pitch angle \[rad\], nose-up positive |
+//! | *v* | perturbation of velocity along *y* \[m/s\], to the right positive; β ≈ v/V |
+//! | *p*, *r* | roll rate, right wing down, and yaw rate, nose right, positive \[rad/s\] |
+//! | *φ* | bank angle \[rad\], right wing down positive |
 //! | *δe* | elevator \[rad\], trailing edge down positive; it pitches the nose down, so M_δe < 0 |
 //! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
 //!
