@@ -1,21 +1,33 @@
-//! What one movement of a slider costs.
+//! What one movement of a slider costs, whole and in parts.
+
+use std::hint::black_box;
+use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::approximations::approximations;
 use eigenwing::flight::edits::Edited;
 use eigenwing::flight::eigen::eigen;
+use eigenwing::flight::handling_qualities::handling_qualities;
 use eigenwing::flight::inputs::Input;
+use eigenwing::flight::inverse::{Adjustable, place_pole};
+use eigenwing::flight::locus::locus;
+use eigenwing::flight::mil_f_8785c::{Category, Class};
+use eigenwing::flight::modes::modes;
 use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::response::{TimeGrid, respond};
+use eigenwing::flight::sensitivity::entry_sensitivity;
+use eigenwing::flight::static_stability::plane_static_stability;
 use eigenwing::flight::study::{MatrixStudy, Study};
 use eigenwing::flight::{Channel, Experiment, analyse};
-use nalgebra::{Matrix4, Matrix4x2};
-use std::hint::black_box;
+use eigenwing::scenario::{Page, Scenario};
+use nalgebra::{Complex, Matrix4, Matrix4x2};
 
 const GRID: TimeGrid = TimeGrid { duration: 60.0, steps: 1200 };
 const STEP: Input = Input::Step { amplitude: 0.0175, start: 1.0 };
 
 /// The lesson's light aircraft, g in the unit of the other entries; the same numbers as in `compare_with_python_control.py`.
-fn model() -> PlaneModel {
+fn lesson() -> PlaneModel {
     let a = Matrix4::from_row_slice(&[
         -0.045, 0.036, 0.0, -0.322, -0.369, -2.02, 1.76, 0.0, 0.191, -3.96, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
     ]);
@@ -24,18 +36,81 @@ fn model() -> PlaneModel {
     PlaneModel { plane: Plane::Longitudinal, a, b, trim }
 }
 
-fn analysis(criterion: &mut Criterion) {
-    let model = model();
+/// The first aircraft that ships, the Navion, from its coefficients.
+fn navion() -> Option<Scenario> {
+    embedded_aircraft().0.into_iter().next().map(|aircraft| Scenario::new(Arc::new(aircraft)))
+}
+
+fn whole(criterion: &mut Criterion) {
+    let model = lesson();
     let (a, b) = (model.a, model.b.column(0).into_owned());
     let edited = Edited::new(Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }));
     let experiment =
         Experiment { plane: Plane::Longitudinal, channel: Channel::First, input: STEP, grid: GRID };
     criterion.bench_function("eigen", |bench| bench.iter(|| eigen(black_box(&a))));
     criterion.bench_function("respond_1201", |bench| bench.iter(|| respond(black_box(&a), &b, &STEP, GRID)));
-    // All that follows from a new matrix: named modes, verdicts, and a response of 1,201 points.
+    // All that follows from a new matrix: named modes, verdicts, approximations, and a response of 1,201 points.
     criterion
         .bench_function("slider_tick", |bench| bench.iter(|| analyse(black_box(&edited), None, &experiment)));
+    let Some(scenario) = navion() else { return };
+    // Both planes from coefficients, with levels; then what the sliders of a page would do.
+    criterion.bench_function("navion/analyse", |bench| bench.iter(|| black_box(&scenario).analyse()));
+    let Ok(analysis) = scenario.analyse() else { return };
+    if let Some(Ok(plane)) = analysis.of(scenario.plane) {
+        criterion.bench_function("navion/sensitivities", |bench| {
+            bench.iter(|| black_box(&scenario).sensitivities(plane, Page::Coefficients));
+        });
+    }
 }
 
-criterion_group!(benches, analysis);
+fn parts(criterion: &mut Criterion) {
+    let Some(models) = navion().and_then(|scenario| scenario.edited.models().ok()) else { return };
+    for (plane, name) in [(Plane::Longitudinal, "longitudinal"), (Plane::Lateral, "lateral")] {
+        let Some(model) = models.of(plane) else { continue };
+        let found = modes(model).unwrap_or_default();
+        let mut bench = |what: &str, run: &dyn Fn()| {
+            criterion.bench_function(&format!("{name}/{what}"), |bench| bench.iter(run));
+        };
+        bench("modes", &|| drop(black_box(modes(black_box(model)))));
+        bench("sensitivities_16_entries", &|| {
+            for mode in &found {
+                for k in 0..16 {
+                    let _ = black_box(entry_sensitivity(black_box(mode), k / 4, k % 4));
+                }
+            }
+        });
+        bench("approximations", &|| drop(black_box(approximations(black_box(model), &found))));
+        bench("handling_qualities", &|| {
+            drop(black_box(handling_qualities(black_box(model), &found, Class::I, Category::B)));
+        });
+        bench("static_stability", &|| {
+            let _ = black_box(plane_static_stability(black_box(model)));
+        });
+        let entry = |value: f64| {
+            let mut a = model.a;
+            a[(2, if plane == Plane::Longitudinal { 1 } else { 0 })] *= value;
+            Some(a)
+        };
+        bench("locus_200", &|| drop(black_box(locus(plane, entry, (-1.0, 3.0), 1.0, 200))));
+        let entries = [(1, 0), (1, 1), (2, 0), (2, 1), (2, 2)];
+        let parameters = entries.map(|e| {
+            let value = model.a[e];
+            let size = value.abs();
+            Adjustable { value, lower: value - size, upper: value + size, scale: size }
+        });
+        let placed = |p: &[f64]| {
+            let mut a = model.a;
+            for (e, value) in entries.iter().zip(p) {
+                a[*e] = *value;
+            }
+            Some(a)
+        };
+        let Some(from) = found.first().map(|mode| mode.lambda) else { continue };
+        bench("place_pole_5_parameters", &|| {
+            let _ = black_box(place_pole(placed, &parameters, from, from * Complex::new(1.1, 0.05)));
+        });
+    }
+}
+
+criterion_group!(benches, whole, parts);
 criterion_main!(benches);

@@ -1,6 +1,6 @@
 //! What holds for the eigenvalues of every matrix (properties), and LAPACK's values for hard ones (validation).
 
-use eigenwing::flight::eigen::{Eigen, EigenError, eigen};
+use eigenwing::flight::eigen::{Eigen, EigenError, eigen, eigenvalues};
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use serde::Deserialize;
@@ -112,6 +112,18 @@ proptest! {
     #[test]
     fn every_finite_matrix_has_an_answer_that_obeys_the_laws(a in matrix()) {
         assert_laws(&a);
+    }
+
+    #[test]
+    fn eigenvalues_alone_are_those_with_vectors(a in matrix()) {
+        let (alone, with) = (eigenvalues(&a), eigen(&a).map(|eigen| eigen.values));
+        // The few that `eigen` solves again without balancing are good to ‖A‖ only: both obey trace and determinant.
+        if alone != with {
+            let (unit, values) = (a / a.amax(), alone.expect("values").map(|value| value / a.amax()));
+            let (sum, product): (Complex<f64>, Complex<f64>) = (values.iter().sum(), values.iter().product());
+            prop_assert!((sum - unit.trace()).norm() <= 1e-13 * unit.norm());
+            prop_assert!((product - unit.determinant()).norm() <= 1e-12 * unit.norm().powi(4));
+        }
     }
 
     #[test]

@@ -294,7 +294,7 @@ impl<F: Fn(&[f64]) -> Option<Matrix4<f64>>> Search<'_, F> {
             if far > 1.0 {
                 step.iter_mut().for_each(|d| *d /= far);
             }
-            if !(expected.norm() > 0.1 * self.tolerance) {
+            if expected.norm() <= 0.1 * self.tolerance {
                 break;
             }
             let y = self.bounds.clamped(place.y.iter().zip(&step).map(|(y, d)| y + d));

@@ -8,6 +8,9 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::locus::{Locus, locus};
 use crate::flight::sensitivity::{Sensitivity, sensitivity};
 
+/// Points of a path: twice what a wide screen can tell apart.
+const LOCUS_EVALUATIONS: usize = 200;
+
 /// How one parameter moves the modes of the studied plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowSensitivity {
@@ -71,6 +74,7 @@ impl Scenario {
             |value| self.matrix_at(parameter, value),
             (*range.start(), *range.end()),
             parameter.get(self),
+            LOCUS_EVALUATIONS,
         )
     }
 }
