@@ -142,8 +142,8 @@ fn names_kept(before: &[Mode], after: &[Mode]) -> bool {
     })
 }
 
-/// Why names changed in an interval.
-#[derive(Debug, PartialEq)]
+/// Why names changed in an interval, from harmless to not.
+#[derive(Debug, PartialEq, PartialOrd)]
 enum Reason {
     Nothing,
     Structure,
@@ -152,25 +152,30 @@ enum Reason {
     Flicker,
 }
 
-/// Bisects to the change of names between `low` and `high`, and says what it goes with.
+/// Bisects to every change between `low` and `high` (to 1/4096 of the way), and says the worst of what they go with.
 fn reason(at: &dyn Fn(f64) -> Vec<Mode>, low: f64, high: f64) -> Reason {
-    let (mut low, mut high) = (low, high);
-    for _ in 0..30 {
-        let (before, after) = (at(low), at(high));
-        if structure(&before) != structure(&after) {
-            return Reason::Structure;
-        }
-        if names_kept(&before, &after) {
-            return Reason::Nothing;
-        }
-        let middle = 0.5 * (low + high);
-        if names_kept(&before, &at(middle)) && structure(&before) == structure(&at(middle)) {
-            low = middle;
-        } else {
-            high = middle;
-        }
+    worst_reason(at, (low, &at(low)), (high, &at(high)), 12)
+}
+
+fn worst_reason(
+    at: &dyn Fn(f64) -> Vec<Mode>,
+    low: (f64, &[Mode]),
+    high: (f64, &[Mode]),
+    depth: usize,
+) -> Reason {
+    let same_structure = structure(low.1) == structure(high.1);
+    if same_structure && names_kept(low.1, high.1) {
+        return Reason::Nothing;
     }
-    match at(low).as_slice() {
+    if depth > 0 {
+        let middle = 0.5 * (low.0 + high.0);
+        let modes = at(middle);
+        let first = worst_reason(at, low, (middle, &modes), depth - 1);
+        let second = worst_reason(at, (middle, &modes), high, depth - 1);
+        return if first > second { first } else { second };
+    }
+    match low.1 {
+        _ if !same_structure => Reason::Structure,
         [one, two] if (one.lambda.norm() / two.lambda.norm() - 1.0).abs() < 1e-3 => Reason::Tie,
         _ => Reason::Flicker,
     }
