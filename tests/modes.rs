@@ -1,13 +1,16 @@
 //! Names, verdicts and warnings, against published modes and the lesson's golden analysis.
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
-use eigenwing::flight::Analysis;
-use eigenwing::flight::linear::{Longitudinal, LongitudinalModel};
-use eigenwing::flight::modes::{DynamicStability, Mode};
+use eigenwing::flight::analysis::{Analysis, PlaneAnalysis};
+use eigenwing::flight::edits::Edited;
+use eigenwing::flight::linear::Longitudinal;
+use eigenwing::flight::modes::{DynamicStability, Mode, modes};
 use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::static_stability::StaticVerdict;
+use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::static_stability::{StaticVerdict, plane_static_stability};
+use eigenwing::flight::study::{MatrixStudy, Study};
 use eigenwing::scenario::Scenario;
-use nalgebra::{Matrix4, Vector4};
+use nalgebra::{Matrix4, Matrix4x2};
 use proptest::prelude::*;
 
 fn aircraft(key: &str) -> Aircraft {
@@ -20,13 +23,16 @@ fn analysis(aircraft: Aircraft) -> Analysis {
     Scenario::new(aircraft.into()).analyse().expect("an analysis")
 }
 
-fn mode(analysis: &Analysis, name: ModeName) -> &Mode {
+fn longitudinal(key: &str) -> PlaneAnalysis {
+    analysis(aircraft(key)).longitudinal.expect("longitudinal data").expect("a plane analysed")
+}
+
+fn mode(analysis: &PlaneAnalysis, name: ModeName) -> &Mode {
     analysis.modes.iter().find(|mode| mode.naming.name == name).expect("a mode of that name")
 }
 
-fn names(model: &LongitudinalModel) -> Vec<ModeName> {
-    let modes = eigenwing::flight::analysis::modes(model).expect("modes");
-    modes.iter().map(|mode| mode.naming.name).collect()
+fn names(model: &PlaneModel) -> Vec<ModeName> {
+    modes(model).expect("modes").iter().map(|mode| mode.naming.name).collect()
 }
 
 fn close(computed: f64, published: f64, half_unit: f64) {
@@ -37,7 +43,7 @@ fn close(computed: f64, published: f64, half_unit: f64) {
 /// printed digit, ζ of the phugoid to one unit: its inputs are printed with fewer digits than it is.
 #[test]
 fn the_navion_has_the_published_short_period_and_phugoid() {
-    let analysis = analysis(aircraft("navion"));
+    let analysis = longitudinal("navion");
     let short_period = mode(&analysis, ModeName::ShortPeriod);
     close(short_period.natural_frequency().expect("a number"), 3.6083, 1e-4);
     close(short_period.damping_ratio().expect("a number"), 0.6957, 0.5e-4);
@@ -50,7 +56,7 @@ fn the_navion_has_the_published_short_period_and_phugoid() {
 /// The lesson's model as printed, from its analysis with python-control: two pairs, the slow one growing.
 #[test]
 fn the_printed_lesson_is_statically_stable_and_dynamically_unstable() {
-    let analysis = analysis(aircraft("lesson-printed"));
+    let analysis = longitudinal("lesson-printed");
     assert_eq!(analysis.modes.len(), 2);
     assert_eq!(mode(&analysis, ModeName::ShortPeriod).stability, DynamicStability::Stable);
     let phugoid = mode(&analysis, ModeName::Phugoid);
@@ -65,17 +71,17 @@ fn the_printed_lesson_is_statically_stable_and_dynamically_unstable() {
 
 #[test]
 fn the_printed_lesson_mixes_units_and_the_others_do_not() {
-    let printed = analysis(aircraft("lesson-printed")).gravity;
+    let printed = analysis(aircraft("lesson-printed")).gravity.expect("a longitudinal model");
     assert!(!printed.is_plausible());
     close(printed.rate, 9.81 / 1.76, 1e-12);
     for key in ["lesson", "navion"] {
-        assert!(analysis(aircraft(key)).gravity.is_plausible(), "{key}");
+        assert!(analysis(aircraft(key)).gravity.expect("a longitudinal model").is_plausible(), "{key}");
     }
 }
 
 #[test]
 fn with_gravity_in_the_same_unit_the_lesson_is_the_navion() {
-    let (lesson, navion) = (analysis(aircraft("lesson")), analysis(aircraft("navion")));
+    let (lesson, navion) = (longitudinal("lesson"), longitudinal("navion"));
     for name in [ModeName::ShortPeriod, ModeName::Phugoid] {
         let (a, b) = (mode(&lesson, name).lambda, mode(&navion, name).lambda);
         assert!((a - b).norm() < 0.005 * b.norm(), "{name:?}: {a} and {b}");
@@ -90,7 +96,7 @@ fn names_follow_the_structure_of_the_roots_through_the_static_limit() {
         Divergence, Phugoid, PhugoidFastRoot, PhugoidSlowRoot, ShortPeriod, ShortPeriodFastRoot,
         ShortPeriodSlowRoot, ThirdOscillatory,
     };
-    let navion = aircraft("navion").longitudinal;
+    let navion = longitudinal("navion").model;
     let entry = (Longitudinal::Q.index(), Longitudinal::W.index());
     for (factor, expected) in [
         (1.0, vec![ShortPeriod, Phugoid]),
@@ -111,26 +117,26 @@ fn names_follow_the_structure_of_the_roots_through_the_static_limit() {
 /// With Mu = 0 the static limit is exactly M_w = 0 (det A = g Zu Mw).
 #[test]
 fn without_speed_stability_the_static_limit_is_pitch_stiffness_zero() {
-    let mut model = aircraft("navion").longitudinal;
+    let mut model = longitudinal("navion").model;
     model.a[(Longitudinal::Q.index(), Longitudinal::U.index())] = 0.0;
     for (m_w, expected) in
         [(-1e-6, StaticVerdict::Stable), (0.0, StaticVerdict::Neutral), (1e-6, StaticVerdict::Unstable)]
     {
         model.a[(Longitudinal::Q.index(), Longitudinal::W.index())] = m_w;
-        assert_eq!(
-            eigenwing::flight::static_stability::static_stability(&model).verdict,
-            expected,
-            "M_w = {m_w}"
-        );
+        assert_eq!(plane_static_stability(&model).verdict, expected, "M_w = {m_w}");
     }
 }
 
 #[test]
 fn a_model_without_a_trim_speed_is_an_error_with_a_sentence() {
-    for u0 in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+    for speed in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let mut model = longitudinal("navion").model;
+        model.trim.speed = speed;
         let mut scenario = Scenario::new(aircraft("navion").into());
-        scenario.model.u0 = u0;
-        let error = scenario.analyse().expect_err("no analysis");
+        scenario.edited =
+            Edited::new(Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }));
+        let analysis = scenario.analyse().expect("an analysis");
+        let error = analysis.longitudinal.expect("longitudinal data").expect_err("no analysis of it");
         assert!(error.to_string().contains("trim speed"), "{error}");
     }
 }
@@ -138,12 +144,13 @@ fn a_model_without_a_trim_speed_is_an_error_with_a_sentence() {
 proptest! {
     #[test]
     fn every_model_has_modes_that_account_for_four_roots(entries in prop::collection::vec(prop_oneof![Just(0.0), -1e3..1e3, -1.0..1.0], 16)) {
-        let model = LongitudinalModel {
+        let model = PlaneModel {
+            plane: Plane::Longitudinal,
             a: Matrix4::from_row_slice(&entries),
-            b_elevator: Vector4::zeros(),
-            u0: 50.0,
+            b: Matrix4x2::zeros(),
+            trim: Trim { speed: 50.0, alpha0: 0.0, gamma0: 0.0, gravity: 9.8 },
         };
-        let modes = eigenwing::flight::analysis::modes(&model).expect("modes");
+        let modes = modes(&model).expect("modes");
         let roots: usize = modes.iter().map(|mode| if mode.is_oscillatory() { 2 } else { 1 }).sum();
         prop_assert_eq!(roots, 4);
         for mode in &modes {

@@ -11,9 +11,9 @@ use nalgebra::Vector4;
 fn first_push(kind: DisturbanceKind) -> Vector4<f64> {
     let (aircraft, _) = embedded_aircraft();
     let mut scenario = Scenario::new(Arc::new(aircraft.into_iter().next().expect("an aircraft")));
-    scenario.disturbance.kind = kind;
+    scenario.disturbance.longitudinal = kind;
     scenario.disturbance.duration = 12.0;
-    let response = scenario.analyse().expect("an analysis").response;
+    let response = scenario.analyse().expect("an analysis").motion.expect("a motion").response;
     response.states[((START + 0.1) / response.dt).round() as usize]
 }
 
@@ -36,9 +36,9 @@ fn rising_air_lifts_the_aircraft_and_a_stable_one_noses_down_into_it() {
 fn in_steadily_rising_air_the_aircraft_ends_up_rising_with_it() {
     let (aircraft, _) = embedded_aircraft();
     let mut scenario = Scenario::new(Arc::new(aircraft.into_iter().next().expect("an aircraft")));
-    scenario.disturbance.kind = DisturbanceKind::VerticalGust;
+    scenario.disturbance.longitudinal = DisturbanceKind::VerticalGust;
     scenario.disturbance.duration = 300.0;
-    let response = scenario.analyse().expect("an analysis").response;
+    let response = scenario.analyse().expect("an analysis").motion.expect("a motion").response;
     let end = response.states.last().expect("samples");
     let w_gust = -scenario.disturbance.gust_speed;
     // The phugoid has halved 7 times.

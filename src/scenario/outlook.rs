@@ -53,10 +53,16 @@ impl Scenario {
         let p = parameter.applies(self).then(|| parameter.get(self))?;
         let range = parameter.range(self);
         let step = 1e-3 * (range.end() - range.start());
-        let difference = |h: f64| {
-            Some((self.matrix_at(parameter, p + h)? - self.matrix_at(parameter, p - h)?) / (2.0 * h))
+        let at = |x: f64| self.matrix_at(parameter, x);
+        // D(h) = (A(p + h) − A(p − h))/2h,  ∂A/∂p = (4 D(h/2) − D(h))/3
+        let central = |h: f64| Some((at(p + h)? - at(p - h)?) / (2.0 * h));
+        let both_sides = || Some((central(0.5 * step)? * 4.0 - central(step)?) / 3.0);
+        // At the end of what can be flown there is one side only: (−11 A₀ + 18 A₁ − 9 A₂ + 2 A₃)/6h
+        let one_side = |h: f64| {
+            let ahead = at(p + h)? * 18.0 - at(p + 2.0 * h)? * 9.0 + at(p + 3.0 * h)? * 2.0;
+            Some((ahead - at(p)? * 11.0) / (6.0 * h))
         };
-        Some((difference(0.5 * step)? * 4.0 - difference(step)?) / 3.0)
+        both_sides().or_else(|| one_side(step)).or_else(|| one_side(-step))
     }
 
     /// A of the studied plane with one parameter at another value.
