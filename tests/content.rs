@@ -163,7 +163,7 @@ fn a_malformed_file_names_file_line_field_and_what_was_expected() {
             "class = \"III\"",
             "class = \"V\"",
             "class",
-            "class: expected \"I\" or \"II\" or \"III\" or \"IV\", found \"V\"",
+            "class: expected \"I\" or \"II\" or \"II-C\" or \"III\" or \"IV\", found \"V\"",
         ),
         (
             b747,

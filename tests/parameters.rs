@@ -57,23 +57,38 @@ fn every_parameter_of_every_aircraft_can_be_taken_to_both_ends() {
                 "{what}: {} in {range:?}",
                 p.reference(&scenario)
             );
-            for plane in [Plane::Longitudinal, Plane::Lateral] {
-                for &kind in DisturbanceKind::of(plane) {
-                    for end in [*range.start(), *range.end()] {
-                        let mut edited = scenario.clone();
-                        edited.plane = plane;
-                        *edited.disturbance.kind_mut(plane) = kind;
-                        let value = p.check(&edited, end).expect("the end of a slider is accepted");
-                        p.set(&mut edited, value);
-                        match edited.analyse() {
-                            Ok(analysis) => {
-                                let mut states =
-                                    analysis.motion.iter().flat_map(|motion| &motion.response.states);
-                                assert!(states.all(|x| x.iter().all(|v| v.is_finite())), "{what}");
-                            }
-                            Err(error) => assert!(error.to_string().len() > 20, "{what}: {error}"),
-                        }
-                    }
+            for end in [*range.start(), *range.end()] {
+                let mut edited = scenario.clone();
+                edited.plane = p.plane.unwrap_or(Plane::Longitudinal);
+                let value = p.check(&edited, end).expect("the end of a slider is accepted");
+                p.set(&mut edited, value);
+                assert_finite(&edited, &what);
+            }
+        }
+    }
+}
+
+fn assert_finite(scenario: &Scenario, what: &str) {
+    match scenario.analyse() {
+        Ok(analysis) => {
+            let mut states = analysis.motion.iter().flat_map(|motion| &motion.response.states);
+            assert!(states.all(|x| x.iter().all(|v| v.is_finite())), "{what}");
+        }
+        Err(error) => assert!(error.to_string().len() > 20, "{what}: {error}"),
+    }
+}
+
+#[test]
+fn every_disturbance_of_every_aircraft_has_a_response() {
+    for scenario in scenarios() {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            for &kind in DisturbanceKind::of(plane) {
+                let mut edited = scenario.clone();
+                edited.plane = plane;
+                *edited.disturbance.kind_mut(plane) = kind;
+                assert_finite(&edited, kind.text());
+                for key in kind.parameters() {
+                    assert!(Parameter::find(key).is_some(), "{key}");
                 }
             }
         }
