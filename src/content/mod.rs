@@ -12,6 +12,8 @@ pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};
 /// The files in the order of the chooser. To add an aircraft, add its file and its line.
 pub const FILES: [(&str, &str); 18] = [
     ("navion.toml", include_str!("../../assets/aircraft/navion.toml")),
+    ("lesson.toml", include_str!("../../assets/aircraft/lesson.toml")),
+    ("lesson-printed.toml", include_str!("../../assets/aircraft/lesson-printed.toml")),
     ("navion-nelson.toml", include_str!("../../assets/aircraft/navion-nelson.toml")),
     ("b747-approach.toml", include_str!("../../assets/aircraft/b747-approach.toml")),
     ("b747-cruise-etkin.toml", include_str!("../../assets/aircraft/b747-cruise-etkin.toml")),
@@ -27,8 +29,6 @@ pub const FILES: [(&str, &str); 18] = [
     ("cessna-172.toml", include_str!("../../assets/aircraft/cessna-172.toml")),
     ("cherokee-180.toml", include_str!("../../assets/aircraft/cherokee-180.toml")),
     ("citation.toml", include_str!("../../assets/aircraft/citation.toml")),
-    ("lesson.toml", include_str!("../../assets/aircraft/lesson.toml")),
-    ("lesson-printed.toml", include_str!("../../assets/aircraft/lesson-printed.toml")),
 ];
 
 /// Reads every aircraft that ships; a file that can't be read gives its error and the rest still load.

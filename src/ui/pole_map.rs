@@ -13,9 +13,6 @@ use crate::flight::locus::{Locus, Sample};
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::number::{fixed, significant};
 
-/// A mode is slow beside the fastest when its |λ| is below this fraction of the fastest one's.
-const SLOW: f64 = 0.35;
-
 /// The ranges of both maps as they are on screen.
 #[derive(Debug, Default)]
 pub struct PoleMap {
@@ -38,13 +35,8 @@ impl PoleMap {
         let whole = Rect::from_min_max(rect.min, Pos2::new(split - 5.0, rect.max.y));
         let slow = Rect::from_min_max(Pos2::new(split + 5.0, rect.min.y), rect.max);
 
-        let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
         let all: Vec<&Mode> = modes.iter().collect();
-        let mut few: Vec<&Mode> = modes.iter().filter(|mode| mode.lambda.norm() < SLOW * fastest).collect();
-        if few.is_empty() {
-            few =
-                modes.iter().min_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm())).into_iter().collect();
-        }
+        let few = slow_modes(modes);
         let maps = [
             Map { name: "All modes", rect: whole, ranged: all, inset: None },
             Map { name: "Slow modes, own scale", rect: slow, ranged: few, inset: None },
@@ -74,6 +66,17 @@ impl MapRange {
         let y = self.y.toward(ui, -top..=top);
         View { left: *x.start(), right: *x.end(), top: *y.end() }
     }
+}
+
+/// The modes below the widest gap between one |λ| and the next: those that the fast ones would crowd together.
+fn slow_modes(modes: &[Mode]) -> Vec<&Mode> {
+    let mut sorted: Vec<&Mode> = modes.iter().collect();
+    sorted.sort_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm()));
+    let gap = |pair: &[&Mode]| pair[1].lambda.norm() / pair[0].lambda.norm().max(f64::MIN_POSITIVE);
+    let widest = sorted.windows(2).enumerate().max_by(|a, b| gap(a.1).total_cmp(&gap(b.1)));
+    let count = widest.map_or(1, |(i, _)| i + 1);
+    sorted.truncate(count);
+    sorted
 }
 
 /// What both maps draw.

@@ -219,9 +219,11 @@ fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
 
 /// A heading, for eyes and for screen readers.
 pub fn heading(ui: &mut Ui, text: RichText, level: usize) {
+    let words = text.text().to_owned();
     let response = ui.label(text);
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_role(Role::Heading);
+        node.set_label(words);
         node.set_level(level);
     });
 }

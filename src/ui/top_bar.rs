@@ -51,6 +51,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     let now = &bar.scenario.aircraft;
     let chooser = ComboBox::from_id_salt("aircraft")
+        .height(560.0)
         .width(if bar.narrow { 190.0 } else { 330.0 })
         .truncate()
         .selected_text(if bar.narrow {
@@ -60,8 +61,13 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         });
     let chooser = chooser.show_ui(ui, |ui| {
         for aircraft in bar.aircraft {
-            let text = format!("{} · {}", aircraft.name, aircraft.condition);
-            if ui.selectable_label(aircraft.key == now.key, text).clicked() {
+            let status = match aircraft.status {
+                Status::Verified => "✓",
+                Status::Unverified => "unverified",
+            };
+            let text = format!("{} · {} · {status}", aircraft.name, aircraft.condition);
+            let choice = ui.selectable_label(aircraft.key == now.key, text);
+            if choice.on_hover_text(&aircraft.status_reason).clicked() {
                 action = Some(Action::Load(aircraft.clone()));
                 ui.close();
             }
