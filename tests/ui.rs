@@ -35,10 +35,7 @@ fn analysis<'h>(harness: &'h Harness<'_, Option<App>>) -> &'h PlaneAnalysis {
 /// The rows of a page that the aircraft on screen has.
 fn rows(harness: &Harness<'_, Option<App>>, page: Page) -> Vec<&'static Parameter> {
     let scenario = app(harness).scenario();
-    let shown = |p: &&Parameter| {
-        p.page == page && p.plane.is_none_or(|plane| plane == scenario.plane) && p.applies(scenario)
-    };
-    parameters().filter(shown).collect()
+    parameters().filter(|p| p.is_shown(scenario, page)).collect()
 }
 
 fn value(harness: &Harness<'_, Option<App>>, key: &str) -> f64 {

@@ -16,10 +16,11 @@ const LOCUS_EVALUATIONS: usize = 200;
 pub struct RowSensitivity {
     /// Key of the parameter.
     pub key: &'static str,
+    /// The change of the parameter that is meant \[SI\]: ten per cent more of its size, or a sixtieth of its slider where it is near zero.
+    pub change: f64,
     /// One a mode, in the order of the analysis, per unit of the parameter.
     pub modes: Vec<Sensitivity>,
-    /// Change of each |λ| relative to itself for a change of the parameter by ten per cent (of a twentieth of its slider where
-    /// it is near zero); `None` at a repeated root.
+    /// Size of the move of each λ relative to |λ| for that change; `None` at a repeated root.
     pub strengths: Vec<Option<f64>>,
 }
 
@@ -41,7 +42,7 @@ impl Scenario {
             sensitivity.rate().map(|rate| (rate.lambda.norm() * change / size).min(f64::MAX))
         };
         let strengths = analysis.modes.iter().zip(&modes).map(strength).collect();
-        Some(RowSensitivity { key: parameter.key, modes, strengths })
+        Some(RowSensitivity { key: parameter.key, change, modes, strengths })
     }
 
     /// ∂A/∂p of the studied plane; `None` where the parameter or the model is missing.

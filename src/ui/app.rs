@@ -17,7 +17,7 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::{Page, Parameter, Scenario};
+use crate::scenario::{Page, Parameter, Scenario, parameters};
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
@@ -274,6 +274,11 @@ impl App {
         };
         self.view.touched = derivatives_ui(ui, &mut self.scenario, &mut self.view.page, rows, outlook);
         self.view.explained = self.view.touched.unwrap_or(self.view.explained);
+        let (page, scenario) = (self.view.page, &self.scenario);
+        if !Parameter::find(self.view.explained).is_some_and(|p| p.is_shown(scenario, page)) {
+            let first = parameters().find(|p| p.is_shown(scenario, page));
+            self.view.explained = first.map_or("", |p| p.key);
+        }
         if rows == Rows::Dense {
             super::derivatives::help_ui(ui, self.view.explained);
         }

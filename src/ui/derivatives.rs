@@ -8,6 +8,7 @@ use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::modes::Mode;
+use crate::flight::sensitivity::Sensitivity;
 use crate::number::{significant, trimmed};
 use crate::scenario::parameters::Group;
 use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
@@ -65,12 +66,7 @@ pub fn derivatives_ui(
     let area = ScrollArea::vertical().id_salt(("derivatives", page.text(), scenario.plane as usize));
     area.max_height(height).auto_shrink([false, rows == Rows::Dense]).show(ui, |ui| {
         for group in Group::DERIVATIVES {
-            let shown = |p: &&Parameter| {
-                p.page == *page
-                    && p.group == group
-                    && p.plane.is_none_or(|plane| plane == scenario.plane)
-                    && p.applies(scenario)
-            };
+            let shown = |p: &&Parameter| p.group == group && p.is_shown(scenario, *page);
             let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
             if group_rows.is_empty() {
                 continue;
@@ -211,7 +207,9 @@ fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2)
     let Some(row) = outlook.sensitivities.iter().find(|row| row.key == parameter.key) else { return };
     let palette = Palette::of(ui);
     let mut words = Vec::new();
-    for (i, (mode, strength)) in outlook.modes.iter().zip(&row.strengths).enumerate() {
+    for (i, (mode, (strength, sensitivity))) in
+        outlook.modes.iter().zip(row.strengths.iter().zip(&row.modes)).enumerate()
+    {
         let name = mode.naming.name.text();
         let Some(strength) = strength else {
             words.push(format!("{name}: two roots meet here, so there is no rate"));
@@ -226,9 +224,22 @@ fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2)
             egui::pos2(left + BAR_WIDTH - 1.5, bottom),
         );
         ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
-        words.push(format!("{name}: λ moves by {} %", significant(100.0 * strength, 2)));
+        words.push(format!("{name}: {}", change(mode, sensitivity, row.change)));
     }
-    response.on_hover_text(format!("For ten per cent of this, {}", words.join("; ")));
+    response.on_hover_text(format!("Ten per cent more of this\n{}", words.join("\n")));
+}
+
+/// What a change of the parameter does to a mode, to first order.
+fn change(mode: &Mode, sensitivity: &Sensitivity, by: f64) -> String {
+    let signed =
+        |x: f64, unit: &str| format!("{}{}{unit}", if x >= 0.0 { "+" } else { "" }, significant(x, 2));
+    let Some(rate) = sensitivity.rate() else { return "no rate".to_owned() };
+    match (rate.damping_ratio, rate.natural_frequency, mode.natural_frequency()) {
+        (Some(zeta), Some(wn), Some(now)) => {
+            format!("ζ {}, ωₙ {}", signed(zeta * by, ""), signed(100.0 * wn * by / now, " %"))
+        }
+        _ => format!("λ {}", signed(rate.sigma() * by, " 1/s")),
+    }
 }
 
 /// The card below the sliders: what one of them means.

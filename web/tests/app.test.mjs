@@ -5,18 +5,17 @@ import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 import { open } from "./page.mjs";
 
-const PITCH_STIFFNESS = "pitch stiffness M_w";
+const PITCH_STIFFNESS = "pitch stiffness C_mα";
 
-// Python-control's poles of the lesson's model, as printed and with gravity in the same unit, and SciPy's of the
-// Navion in SI: real and imaginary part, the fast mode first.
+// Python-control's poles of the lesson's model, as printed and with gravity in the same unit: real and imaginary
+// part, the fast mode first.
 const POLES = {
-  "navion": [[-2.5104866, 2.5918793], [-0.017133432, 0.21297038]],
   "lesson": [[-2.50542007706, 2.59489339542], [-0.0170799229418, 0.213122623619]],
   "lesson-printed": [[-2.69094411674, 2.54533171306], [0.168444116741, 1.13679885221]],
 };
 
 function assertPoles(state, expected) {
-  const found = state.analysis.modes.map(({ re, im }) => [re, im]);
+  const found = state.analysis.longitudinal.modes.map(({ re, im }) => [re, im]);
   assert.equal(found.length, expected.length);
   found.flat().forEach((value, i) => {
     const wanted = expected.flat()[i];
@@ -51,8 +50,17 @@ test("the page opens on the Navion with both modes named and at home", async (t)
   await ready();
   const now = await state();
   assert.equal(now.aircraft, "navion");
-  assertPoles(now, POLES.navion);
-  assert.deepEqual(now.analysis.modes.map((mode) => mode.name), ["Short period", "Phugoid"]);
+  // Teper, NASA CR-96008, from coefficients of two or three digits.
+  const [shortPeriod, phugoid] = now.analysis.longitudinal.modes;
+  assert.deepEqual([shortPeriod.name, phugoid.name], ["Short period", "Phugoid"]);
+  for (const [value, published] of [
+    [shortPeriod.natural_frequency, 3.6083],
+    [shortPeriod.damping_ratio, 0.6957],
+    [phugoid.natural_frequency, 0.2137],
+    [phugoid.damping_ratio, 0.0801],
+  ]) {
+    assert.ok(Math.abs(value / published - 1) < 1e-3, `${value} is not ${published}`);
+  }
   assert.equal(now.analysis.response.samples, 1201);
 });
 
@@ -66,8 +74,8 @@ for (const [key, choice, stability] of [
     await choose(page, "Aircraft", choice);
     const now = await until(state, (state) => state.aircraft === key, `${key} on screen`);
     assertPoles(now, POLES[key]);
-    assert.equal(now.analysis.dynamic_stability, stability);
-    assert.equal(now.analysis.static_stability, "stable");
+    assert.equal(now.analysis.longitudinal.dynamic_stability, stability);
+    assert.equal(now.analysis.longitudinal.static_stability, "stable");
     assert.equal(now.analysis.gravity_is_plausible, key === "lesson");
   });
 }
@@ -79,15 +87,15 @@ test("a slider moved by keyboard moves poles and response, and undo takes it bac
   const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
   // A click beside the handle moves it and gives focus; Delete goes back to the reference.
   await page.mouse.click(x + width / 4, y);
-  await until(state, (now) => now.parameters.mw !== before.parameters.mw, "moved by the click");
+  await until(state, (now) => now.parameters.cm_alpha !== before.parameters.cm_alpha, "moved by the click");
   await page.keyboard.press("Delete");
-  await until(state, (now) => now.parameters.mw === before.parameters.mw, "the reference again");
+  await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "the reference again");
   await page.keyboard.press("Shift+ArrowLeft");
-  const after = await until(state, (now) => now.parameters.mw < before.parameters.mw, "a stiffer aircraft");
-  assert.ok(after.analysis.modes[0].im > before.analysis.modes[0].im);
+  const after = await until(state, (now) => now.parameters.cm_alpha < before.parameters.cm_alpha, "a stiffer aircraft");
+  assert.ok(after.analysis.longitudinal.modes[0].im > before.analysis.longitudinal.modes[0].im);
   assert.notDeepEqual(after.analysis.response.last, before.analysis.response.last);
   await page.keyboard.press("Control+z");
-  await until(state, (now) => now.parameters.mw !== after.parameters.mw, "undone");
+  await until(state, (now) => now.parameters.cm_alpha !== after.parameters.cm_alpha, "undone");
   assert.deepEqual(seen.errors, []);
 });
 
@@ -100,10 +108,10 @@ test("a slider dragged by mouse moves poles and response, and a double click res
   await page.mouse.down();
   for (let i = 1; i <= 10; i += 1) await page.mouse.move(x + width / 6 + i * (width / 40), y);
   await page.mouse.up();
-  const after = await until(state, (now) => now.analysis.static_stability === "unstable", "statically unstable");
-  assert.ok(after.analysis.modes.some((mode) => mode.name === "Divergence" && mode.time_to_double > 0));
+  const after = await until(state, (now) => now.analysis.longitudinal.static_stability === "unstable", "statically unstable");
+  assert.ok(after.analysis.longitudinal.modes.some((mode) => mode.name === "Divergence" && mode.time_to_double > 0));
   await page.mouse.dblclick(x, y);
-  await until(state, (now) => now.parameters.mw === before.parameters.mw, "the reference again");
+  await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "the reference again");
 });
 
 test("the wheel over sliders and numbers edits nothing", async (t) => {
@@ -123,30 +131,30 @@ test("a finger moves a slider on a phone", async (t) => {
   const { page, ready, state, slider } = await open(t, { viewport: { width: 390, height: 844 }, touch: true });
   await ready();
   const before = await state();
-  const { x, y, width } = await middle(slider("lift due to speed Z_u"));
+  const { x, y, width } = await middle(slider("lift-curve slope C_Lα"));
   await page.touchscreen.tap(x - width / 4, y);
-  const after = await until(state, (now) => now.parameters.zu !== before.parameters.zu, "moved");
-  assert.ok(after.parameters.zu < before.parameters.zu);
+  const after = await until(state, (now) => now.parameters.cl_alpha !== before.parameters.cl_alpha, "moved");
+  assert.ok(after.parameters.cl_alpha < before.parameters.cl_alpha);
 });
 
 test("a screen reader finds every slider by name, sets one, and hears the verdict and the modes", async (t) => {
   const { page, ready, state, slider } = await open(t);
   await ready();
-  assert.equal(await page.getByRole("slider").count(), 11);
-  for (const name of ["Derivatives", "Pole map", "Short period", "Phugoid"]) {
+  assert.ok((await page.getByRole("slider").count()) >= 15);
+  for (const name of ["Pole map", "Short period", "Phugoid"]) {
     assert.equal(await page.getByRole("heading", { name, exact: true }).count(), 1, name);
   }
   assert.equal(await page.getByRole("img", { name: /^Pole map, All modes: Short period ζ 0.70/ }).count(), 1);
   assert.equal(await page.getByText(/^Dynamically stable/).count(), 1);
-  await slider("pitch damping M_q").fill("-1");
-  await until(state, (now) => now.parameters.mq === -1, "set");
+  await slider("pitch damping C_mq").fill("-1");
+  await until(state, (now) => now.parameters.cm_q === -1, "set");
 });
 
 test("an absurd number is refused with a sentence beside the field and nothing is lost", async (t) => {
   const { page, ready, state } = await open(t);
   await ready();
   const before = await state();
-  const field = page.getByRole("textbox", { name: "pitch stiffness M_w, typed" });
+  const field = page.getByRole("textbox", { name: "pitch stiffness C_mα, typed" });
   const { x, y } = await middle(field);
   await page.mouse.click(x, y);
   await page.keyboard.press("Control+a");
@@ -166,4 +174,38 @@ test("each disturbance has its own response, and a gust is not an elevator pulse
     ends.push(JSON.stringify(now.analysis.response.last));
   }
   assert.equal(new Set(ends).size, 3);
+});
+
+test("lateral motion: Dutch roll, roll subsidence and spiral, as published", async (t) => {
+  const { page, ready, state } = await open(t);
+  await ready();
+  await page.getByRole("button", { name: "Lateral–directional" }).dispatchEvent("click");
+  const now = await until(state, (now) => now.plane === "lateral", "lateral on screen");
+  const modes = Object.fromEntries(now.analysis.lateral.modes.map((mode) => [mode.name, mode]));
+  // Teper, NASA CR-96008, from coefficients of two or three digits.
+  for (const [value, published] of [
+    [modes["Dutch roll"].natural_frequency, 2.385],
+    [modes["Dutch roll"].damping_ratio, 0.204],
+    [modes["Roll subsidence"].re, -8.435],
+    [modes["Spiral"].re, -0.00876],
+  ]) {
+    assert.ok(Math.abs(value / published - 1) < 1e-2, `${value} is not ${published}`);
+  }
+  assert.equal(await page.getByRole("heading", { name: "Dutch roll", exact: true }).count(), 1);
+});
+
+test("every aircraft of the list can be opened, in both planes where it has both", async (t) => {
+  const { page, ready, state, seen } = await open(t);
+  await ready();
+  const keys = new Set();
+  await page.getByRole("combobox", { name: "Aircraft" }).dispatchEvent("click");
+  await page.getByRole("option").first().waitFor({ state: "attached" });
+  const names = await page.getByRole("option").allInnerTexts();
+  await page.getByRole("option").first().dispatchEvent("click");
+  for (const name of names) {
+    await choose(page, "Aircraft", name);
+    keys.add((await until(state, (now) => !keys.has(now.aircraft) || names.length === 1, name)).aircraft);
+  }
+  assert.ok(keys.size >= 16, `${[...keys]}`);
+  assert.deepEqual(seen.errors, []);
 });

@@ -237,6 +237,12 @@ impl Parameter {
         self.value(scenario).is_some()
     }
 
+    /// Whether it stands on a page for the plane on screen.
+    pub fn is_shown(&self, scenario: &Scenario, page: Page) -> bool {
+        let of_plane = self.plane.is_none_or(|plane| plane == scenario.plane);
+        self.page == page && of_plane && self.applies(scenario)
+    }
+
     /// Its value \[SI\]; zero where the aircraft has none.
     pub fn get(&self, scenario: &Scenario) -> f64 {
         self.value(scenario).unwrap_or(0.0)

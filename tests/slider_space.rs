@@ -1,0 +1,75 @@
+//! Every slider of every aircraft anywhere at once: the analysis is total, finite and closed under conjugation.
+
+use std::sync::{Arc, LazyLock};
+
+use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::modes::Mode;
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
+use proptest::prelude::*;
+
+static SCENARIOS: LazyLock<Vec<Scenario>> = LazyLock::new(|| {
+    embedded_aircraft().0.into_iter().map(|aircraft| Scenario::new(Arc::new(aircraft))).collect()
+});
+
+/// Where a slider may stand, as a fraction of its range; the ends, the middle and the reference more often than chance has it.
+fn place() -> impl Strategy<Value = Option<f64>> {
+    prop_oneof![3 => Just(None), 1 => Just(Some(0.0)), 1 => Just(Some(1.0)), 3 => (0.0..=1.0).prop_map(Some)]
+}
+
+fn numbers(mode: &Mode) -> impl Iterator<Item = f64> {
+    let derived = [
+        mode.natural_frequency(),
+        mode.damping_ratio(),
+        mode.period(),
+        mode.time_to_half(),
+        mode.time_to_double(),
+        mode.cycles(),
+        mode.time_constant(),
+    ];
+    [mode.lambda.re, mode.lambda.im]
+        .into_iter()
+        .chain(mode.participation)
+        .chain(derived.into_iter().flatten())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn the_analysis_is_total_and_finite(which in 0..SCENARIOS.len(), places in prop::collection::vec(place(), parameters().count())) {
+        let mut scenario = SCENARIOS[which].clone();
+        for (p, place) in parameters().zip(places) {
+            if let Some(fraction) = place.filter(|_| p.applies(&scenario)) {
+                let range = p.range(&scenario);
+                let value = range.start() + fraction * (range.end() - range.start());
+                if let Ok(value) = p.check(&scenario, value) {
+                    p.set(&mut scenario, value);
+                }
+            }
+        }
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            scenario.plane = plane;
+            match scenario.analyse() {
+                Err(error) => prop_assert!(error.to_string().len() > 20),
+                Ok(analysis) => {
+                    if let Some(Ok(of_plane)) = analysis.of(plane) {
+                        let roots: usize = of_plane.modes.iter().map(|mode| if mode.is_oscillatory() { 2 } else { 1 }).sum();
+                        prop_assert_eq!(roots, 4);
+                        prop_assert!(of_plane.modes.iter().flat_map(numbers).all(f64::is_finite));
+                        for verdict in &of_plane.levels {
+                            prop_assert!(!verdict.sentence().contains("NaN"));
+                        }
+                        for row in scenario.sensitivities(of_plane, Page::Coefficients) {
+                            prop_assert!(row.strengths.iter().flatten().all(|x| x.is_finite()), "{}", row.key);
+                        }
+                        let path = scenario.locus(Parameter::find("a_ww").expect("a row"));
+                        prop_assert!(path.samples.iter().filter_map(|s| s.poles).flatten().all(|l| l.re.is_finite() && l.im.is_finite()));
+                    }
+                    let states = analysis.motion.iter().flat_map(|motion| &motion.response.states);
+                    prop_assert!(states.flat_map(|x| x.iter()).all(|x| x.is_finite()));
+                }
+            }
+        }
+    }
+}
