@@ -94,11 +94,14 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     bar.scenario.aircraft.lateral_notes.as_ref()?;
     let words = if bar.narrow { ["Long.", "Lateral"] } else { ["Longitudinal", "Lateral–directional"] };
-    for (plane, text) in [Plane::Longitudinal, Plane::Lateral].into_iter().zip(words) {
-        if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
-            action = Some(Action::Turn(plane));
+    // In a row of its own, so that the two stay together where the bar wraps.
+    ui.horizontal(|ui| {
+        for (plane, text) in [Plane::Longitudinal, Plane::Lateral].into_iter().zip(words) {
+            if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
+                action = Some(Action::Turn(plane));
+            }
         }
-    }
+    });
     action
 }
 

@@ -191,7 +191,7 @@ test("lateral motion: Dutch roll, roll subsidence and spiral, as published", asy
   ]) {
     assert.ok(Math.abs(value / published - 1) < 1e-2, `${value} is not ${published}`);
   }
-  assert.equal(await page.getByRole("heading", { name: "Dutch roll", exact: true }).count(), 1);
+  await page.getByRole("heading", { name: "Dutch roll", exact: true }).waitFor({ state: "attached" });
 });
 
 test("every aircraft of the list can be opened, in both planes where it has both", async (t) => {
