@@ -3,10 +3,10 @@
 use eigenwing::content::{Aircraft, embedded_aircraft};
 use eigenwing::flight::analysis::{Analysis, PlaneAnalysis};
 use eigenwing::flight::edits::Edited;
-use eigenwing::flight::linear::Longitudinal;
 use eigenwing::flight::modes::{DynamicStability, Mode, modes};
 use eigenwing::flight::naming::ModeName;
 use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::states::Longitudinal;
 use eigenwing::flight::static_stability::{StaticVerdict, plane_static_stability};
 use eigenwing::flight::study::{MatrixStudy, Study};
 use eigenwing::scenario::Scenario;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::linear::Longitudinal;
+use eigenwing::flight::states::Longitudinal;
 use eigenwing::scenario::{DisturbanceKind, START, Scenario};
 use nalgebra::Vector4;
 

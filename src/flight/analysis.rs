@@ -12,6 +12,7 @@ use super::mil_f_8785c::{Category, Class};
 use super::modes::{DynamicStability, Mode, modes};
 use super::plane::{Plane, PlaneModel};
 use super::response::{Response, TimeGrid, respond};
+use super::states::Longitudinal::{Theta, U};
 use super::static_stability::{PlaneStaticStability, plane_static_stability};
 use super::study::{Models, StudyError};
 
@@ -202,8 +203,14 @@ fn motion(model: &PlaneModel, experiment: &Experiment) -> Motion {
 fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
     let v = model.trim.speed;
     let small = |x: &Vector4<f64>| match model.plane {
-        Plane::Longitudinal => x[0].abs() <= 0.5 * v && x[1].abs() <= 0.35 * v && x[3].abs() <= 1.0,
-        Plane::Lateral => x[0].abs() <= 0.35 * v && x[3].abs() <= 1.0,
+        Plane::Longitudinal => {
+            let [u, w, _, theta] = (*x).into();
+            u.abs() <= 0.5 * v && w.abs() <= 0.35 * v && theta.abs() <= 1.0
+        }
+        Plane::Lateral => {
+            let [side, _, _, phi] = (*x).into();
+            side.abs() <= 0.35 * v && phi.abs() <= 1.0
+        }
     };
     let k = response.states.iter().position(|x| !small(x))?;
     Some(k as f64 * response.dt)
@@ -220,6 +227,9 @@ fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {
 fn gravity_check(model: &PlaneModel) -> Option<GravityCheck> {
     // The u row of A carries −g cos θ₀ in the θ column.
     let u0 = model.trim.u0();
-    let check = GravityCheck { rate: -model.a[(0, 3)] / u0, expected_rate: STANDARD_GRAVITY / u0 };
+    let check = GravityCheck {
+        rate: -model.a[(U.index(), Theta.index())] / u0,
+        expected_rate: STANDARD_GRAVITY / u0,
+    };
     check.rate.is_finite().then_some(check)
 }

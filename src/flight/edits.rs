@@ -6,12 +6,13 @@
 //!
 //! An offset stays while what lies before it changes, so every page of sliders can be edited at any time.
 
-use nalgebra::{Matrix4, Matrix4x2};
+use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 use super::derivatives::{
     LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives,
 };
 use super::plane::{Plane, PlaneModel};
+use super::states::{Lateral, Longitudinal};
 use super::study::{DerivativeStudy, Models, Study, StudyError};
 
 /// What a person has added to the derivatives and matrices that follow from a study; all zero at first.
@@ -109,9 +110,9 @@ impl Edited {
 ///
 /// The aerodynamic terms feel w − w_g; the w column of A is purely aerodynamic, the kinematic U₀ stands in the q column
 /// (Etkin, *Dynamics of Atmospheric Flight*, §13.2), and so for v. Penetration is left out.
-pub fn gust_column(model: &PlaneModel) -> nalgebra::Vector4<f64> {
+pub fn gust_column(model: &PlaneModel) -> Vector4<f64> {
     match model.plane {
-        Plane::Longitudinal => -model.a.column(1),
-        Plane::Lateral => -model.a.column(0),
+        Plane::Longitudinal => -model.a.column(Longitudinal::W.index()),
+        Plane::Lateral => -model.a.column(Lateral::V.index()),
     }
 }

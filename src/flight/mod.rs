@@ -37,7 +37,6 @@ pub mod inputs;
 pub mod inverse;
 pub mod knobs;
 mod least_change;
-pub mod linear;
 pub mod locus;
 pub mod mil_f_8785c;
 pub mod modes;
@@ -49,6 +48,7 @@ pub mod response;
 mod schur;
 pub mod second_order;
 pub mod sensitivity;
+pub mod states;
 pub mod static_stability;
 pub mod study;
 

@@ -5,9 +5,9 @@ use std::f64::consts::{LN_2, TAU};
 use nalgebra::{Complex, Matrix4, Vector4};
 
 use super::eigen::{Eigen, EigenError, eigen};
-use super::linear::Longitudinal;
 use super::naming::{Naming, Shape, name_modes};
 use super::plane::{Plane, PlaneModel};
+use super::states::Longitudinal;
 
 /// Below this fraction of the largest |λ| of the matrix, a real part counts as zero.
 ///

@@ -3,8 +3,8 @@
 use nalgebra::Matrix4;
 
 use super::axes::to_stability_axes;
-use super::linear::{Lateral, Longitudinal};
 use super::plane::{Plane, PlaneModel};
+use super::states::{Lateral, Longitudinal};
 
 /// Whether a small departure meets a restoring tendency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -310,11 +310,10 @@ impl App {
 
     fn poles_ui(&mut self, ui: &mut Ui) {
         self.memo.refresh(&self.scenario, self.view.page);
-        let touched = self.view.touched.and_then(Parameter::find);
-        let locus = touched.map(|parameter| self.memo.locus(&self.scenario, parameter).clone());
+        self.memo.refresh_locus(&self.scenario, self.view.touched.and_then(Parameter::find));
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
         match self.memo.plane() {
-            Some(plane) => self.view.poles.show(ui, &plane.modes, ghost, locus.as_ref()),
+            Some(plane) => self.view.poles.show(ui, &plane.modes, ghost, self.memo.locus()),
             None => problem_ui(ui, self.memo.followed(), self.scenario.plane),
         }
     }
@@ -322,15 +321,12 @@ impl App {
     fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
         let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
         view.responses.choosers_ui(ui, scenario);
-        let followed = memo.refresh(scenario, view.page);
-        let motion_of =
-            |followed: &'_ Followed| followed.analysis.as_ref().ok().and_then(|a| a.motion.clone());
-        match motion_of(followed) {
+        memo.refresh(scenario, view.page);
+        match memo.motion() {
             Some(motion) => {
-                let ghost = ghost.as_ref().zip(ghost_memo.followed().and_then(motion_of));
-                let ghost =
-                    ghost.as_ref().map(|(ghost, motion)| Studied { scenario: &ghost.scenario, motion });
-                view.responses.show(ui, Studied { scenario, motion: &motion }, ghost, rows);
+                let ghost = ghost.as_ref().zip(ghost_memo.motion());
+                let ghost = ghost.map(|(ghost, motion)| Studied { scenario: &ghost.scenario, motion });
+                view.responses.show(ui, Studied { scenario, motion }, ghost, rows);
             }
             None => problem_ui(ui, memo.followed(), scenario.plane),
         }

@@ -1,9 +1,9 @@
 //! The only cache: what follows from the scenario on screen, computed again only when the scenario has changed.
 
-use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::analysis::{Motion, PlaneAnalysis};
 use crate::flight::locus::Locus;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::{Page, Parameter, RowSensitivity, Scenario};
+use crate::scenario::{Disturbance, Page, Parameter, RowSensitivity, Scenario};
 
 /// A scenario and what follows from it.
 #[derive(Debug, Default)]
@@ -61,20 +61,30 @@ impl Memo {
         followed.analysis.as_ref().ok()?.of(scenario.plane)?.as_ref().ok()
     }
 
-    /// The path along which a parameter would send the poles of `scenario`.
-    pub fn locus(&mut self, scenario: &Scenario, parameter: &'static Parameter) -> &Locus {
-        let key = parameter.key;
+    /// The motion that followed, where there is one.
+    pub fn motion(&self) -> Option<&Motion> {
+        self.followed()?.analysis.as_ref().ok()?.motion.as_ref()
+    }
+
+    /// Finds the path along which a parameter would send the poles of `scenario`, unless it is the one that is held.
+    pub fn refresh_locus(&mut self, scenario: &Scenario, parameter: Option<&'static Parameter>) {
+        let Some(parameter) = parameter else {
+            self.locus = None;
+            return;
+        };
         // The path doesn't depend on how far along it the parameter is.
         let mut start = scenario.clone();
         parameter.reset(&mut start);
-        if self.locus.as_ref().is_some_and(|(of, on, _)| *of != start || *on != key) {
-            self.locus = None;
-        }
-        let (_, _, locus) = self.locus.get_or_insert_with(|| {
+        start.disturbance = Disturbance::default();
+        if !self.locus.as_ref().is_some_and(|(of, key, _)| *of == start && *key == parameter.key) {
             let locus = start.locus(parameter);
-            (start, key, locus)
-        });
-        locus
+            self.locus = Some((start, parameter.key, locus));
+        }
+    }
+
+    /// The path found last.
+    pub fn locus(&self) -> Option<&Locus> {
+        self.locus.as_ref().map(|(_, _, locus)| locus)
     }
 
     /// How often it has analysed, so that tests can see that nothing is computed twice.

@@ -3,7 +3,7 @@
 use egui::{
     Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role,
 };
-use egui_plot::{Line, LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points, Span, VLine};
+use egui_plot::{Line, LineStyle, MarkerShape, PlotPoint, PlotPoints, Points, Span, VLine};
 
 use super::axis_range::{AxisRange, round_up};
 use super::pole_grid::{self, View};
@@ -124,47 +124,34 @@ impl Map<'_> {
         let rect = self.plot_rect();
         let plot = ui
             .scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-                Plot::new(self.name)
-                    .width(rect.width())
-                    .height(rect.height())
-                    .show_axes(false)
-                    .show_grid(false)
-                    .show_background(false)
-                    .allow_zoom(false)
-                    .allow_drag(false)
-                    .allow_scroll(false)
-                    .allow_boxed_zoom(false)
-                    .allow_double_click_reset(false)
-                    .show_crosshair(false)
-                    .label_formatter(|_| None)
-                    .show(ui, |plot| {
-                        plot.set_plot_bounds_x(view.left..=view.right);
-                        plot.set_plot_bounds_y(-view.top..=view.top);
-                        plane(plot, view, palette);
-                        if let Some(inset) = self.inset {
-                            frame_of(plot, inset, palette);
-                        }
-                        for branch in locus.into_iter().flat_map(|locus| branches(locus, palette)) {
-                            plot.line(branch);
-                        }
-                        for mode in ghost.into_iter().flatten() {
-                            plot.points(
-                                poles(mode)
-                                    .shape(MarkerShape::Circle)
-                                    .filled(false)
-                                    .radius(5.0)
-                                    .color(palette.ghost),
-                            );
-                        }
-                        for mode in modes {
-                            plot.points(
-                                poles(mode)
-                                    .shape(MarkerShape::Cross)
-                                    .radius(6.5)
-                                    .color(palette.mode(mode.naming.name)),
-                            );
-                        }
-                    })
+                theme::still_plot(self.name, rect).show(ui, |plot| {
+                    plot.set_plot_bounds_x(view.left..=view.right);
+                    plot.set_plot_bounds_y(-view.top..=view.top);
+                    plane(plot, view, palette);
+                    if let Some(inset) = self.inset {
+                        frame_of(plot, inset, palette);
+                    }
+                    for branch in locus.into_iter().flat_map(|locus| branches(locus, palette)) {
+                        plot.line(branch);
+                    }
+                    for mode in ghost.into_iter().flatten() {
+                        plot.points(
+                            poles(mode)
+                                .shape(MarkerShape::Circle)
+                                .filled(false)
+                                .radius(5.0)
+                                .color(palette.ghost),
+                        );
+                    }
+                    for mode in modes {
+                        plot.points(
+                            poles(mode)
+                                .shape(MarkerShape::Cross)
+                                .radius(6.5)
+                                .color(palette.mode(mode.naming.name)),
+                        );
+                    }
+                })
             })
             .inner;
         let description = describe(self.name, modes);

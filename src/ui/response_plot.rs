@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use egui::{Align2, Color32, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
-use egui_plot::{GridMark, HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, Span, VLine};
+use egui_plot::{GridMark, HLine, Line, LineStyle, PlotPoint, PlotPoints, Span, VLine};
 
 use super::axis_range::AxisRange;
 use super::symbol::Symbol;
@@ -123,56 +123,43 @@ fn draw<'a>(
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
     let plot = ui
         .scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-            Plot::new(Id::unique((curves.symbol, curves.against.0)))
-                .width(rect.width())
-                .height(rect.height())
-                .show_axes(false)
-                .show_background(false)
-                .show_grid(false)
-                .allow_zoom(false)
-                .allow_drag(false)
-                .allow_scroll(false)
-                .allow_boxed_zoom(false)
-                .allow_double_click_reset(false)
-                .show_crosshair(false)
-                .label_formatter(|_| None)
-                .show(ui, move |plot| {
-                    plot.set_plot_bounds_x(x);
-                    plot.set_plot_bounds_y(y);
-                    if let Some(beyond) = beyond {
-                        let span = Span::new("", beyond).fill(palette.unstable_half);
-                        plot.span(span.border_color(Color32::TRANSPARENT));
-                    }
-                    for mark in &vertical {
-                        plot.hline(
-                            HLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
-                        );
-                    }
-                    for mark in &horizontal {
-                        plot.vline(
-                            VLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
-                        );
-                    }
-                    plot.hline(HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
-                    if let Some(ghost) = ghost {
-                        plot.line(
-                            Line::new("pinned", PlotPoints::Borrowed(ghost.small_part()))
-                                .color(palette.ghost)
-                                .width(1.2)
-                                .style(LineStyle::dashed_dense())
-                                .allow_band(false)
-                                .allow_hover(false),
-                        );
-                    }
+            theme::still_plot(Id::unique((curves.symbol, curves.against.0)), rect).show(ui, move |plot| {
+                plot.set_plot_bounds_x(x);
+                plot.set_plot_bounds_y(y);
+                if let Some(beyond) = beyond {
+                    let span = Span::new("", beyond).fill(palette.unstable_half);
+                    plot.span(span.border_color(Color32::TRANSPARENT));
+                }
+                for mark in &vertical {
+                    plot.hline(
+                        HLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
+                    );
+                }
+                for mark in &horizontal {
+                    plot.vline(
+                        VLine::new("", mark.value).color(palette.hairline).width(1.0).allow_hover(false),
+                    );
+                }
+                plot.hline(HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
+                if let Some(ghost) = ghost {
                     plot.line(
-                        Line::new("now", PlotPoints::Borrowed(now.small_part()))
-                            .color(palette.text)
-                            .width(1.8)
+                        Line::new("pinned", PlotPoints::Borrowed(ghost.small_part()))
+                            .color(palette.ghost)
+                            .width(1.2)
+                            .style(LineStyle::dashed_dense())
                             .allow_band(false)
                             .allow_hover(false),
                     );
-                    extra(plot);
-                })
+                }
+                plot.line(
+                    Line::new("now", PlotPoints::Borrowed(now.small_part()))
+                        .color(palette.text)
+                        .width(1.8)
+                        .allow_band(false)
+                        .allow_hover(false),
+                );
+                extra(plot);
+            })
         })
         .inner;
     let words = describe(curves);

@@ -11,6 +11,7 @@ use crate::content::LengthUnit;
 use crate::flight::analysis::Motion;
 use crate::flight::plane::Plane;
 use crate::flight::response::Response;
+use crate::flight::states::{Lateral, Longitudinal};
 use crate::number::significant;
 use crate::scenario::{Dimension, DisturbanceKind, Parameter, Scenario};
 
@@ -43,16 +44,16 @@ const fn flow_angle(symbol: &'static str, state: usize) -> Quantity {
     Quantity { symbol, dimension: Dimension::Angle, state, over_speed: true }
 }
 
-const U: Quantity = quantity("Δu", Dimension::Speed, 0);
-const W: Quantity = quantity("Δw", Dimension::Speed, 1);
-const ALPHA: Quantity = flow_angle("Δα", 1);
-const Q: Quantity = quantity("q", Dimension::AngularRate, 2);
-const THETA: Quantity = quantity("Δθ", Dimension::Angle, 3);
-const V: Quantity = quantity("v", Dimension::Speed, 0);
-const BETA: Quantity = flow_angle("β", 0);
-const P: Quantity = quantity("p", Dimension::AngularRate, 1);
-const R: Quantity = quantity("r", Dimension::AngularRate, 2);
-const PHI: Quantity = quantity("φ", Dimension::Angle, 3);
+const U: Quantity = quantity("Δu", Dimension::Speed, Longitudinal::U.index());
+const W: Quantity = quantity("Δw", Dimension::Speed, Longitudinal::W.index());
+const ALPHA: Quantity = flow_angle("Δα", Longitudinal::W.index());
+const Q: Quantity = quantity("q", Dimension::AngularRate, Longitudinal::Q.index());
+const THETA: Quantity = quantity("Δθ", Dimension::Angle, Longitudinal::Theta.index());
+const V: Quantity = quantity("v", Dimension::Speed, Lateral::V.index());
+const BETA: Quantity = flow_angle("β", Lateral::V.index());
+const P: Quantity = quantity("p", Dimension::AngularRate, Lateral::P.index());
+const R: Quantity = quantity("r", Dimension::AngularRate, Lateral::R.index());
+const PHI: Quantity = quantity("φ", Dimension::Angle, Lateral::Phi.index());
 
 /// What the plots of a plane show.
 struct Shown {

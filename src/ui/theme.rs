@@ -5,9 +5,11 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Response, RichText, Stroke,
-    TextStyle, Theme, Ui, Vec2,
+    Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response, RichText,
+    Stroke, TextStyle, Theme, Ui, Vec2,
 };
+
+use egui_plot::Plot;
 
 use super::fonts;
 use crate::flight::modes::DynamicStability;
@@ -236,6 +238,23 @@ pub fn name_chooser<R>(chooser: InnerResponse<Option<R>>, name: &str, chosen: &s
         node.set_expanded(chooser.inner.is_some());
     });
     response
+}
+
+/// A plot that fills `rect` and doesn't move under the hand: what it shows is set by its caller.
+pub fn still_plot<'a>(id: impl egui::AsIdSalt, rect: Rect) -> Plot<'a> {
+    Plot::new(id)
+        .width(rect.width())
+        .height(rect.height())
+        .show_axes(false)
+        .show_background(false)
+        .show_grid(false)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show_crosshair(false)
+        .label_formatter(|_| None)
 }
 
 /// A pane: white ground with a hairline.
