@@ -307,3 +307,40 @@ fn a_flight_that_the_wing_cannot_carry_says_so() {
     harness.run();
     assert_eq!(harness.query_all_by_label_contains("This can't be analysed").count(), 0);
 }
+
+/// Every sentence that the page can show is drawn once; a character that no embedded font has is a failure of the harness.
+#[test]
+fn the_embedded_fonts_have_every_character_of_every_text() {
+    let mut texts: Vec<String> = parameters()
+        .flat_map(|p| [p.symbol, p.name, p.meaning, p.sign, p.origin])
+        .map(str::to_owned)
+        .collect();
+    for aircraft in eigenwing::content::embedded_aircraft().0 {
+        texts.extend(
+            [&aircraft.name, &aircraft.condition, &aircraft.source, &aircraft.status_reason]
+                .map(String::from),
+        );
+        texts.extend(aircraft.notes.iter().cloned());
+        let mut scenario = eigenwing::scenario::Scenario::new(std::sync::Arc::new(aircraft));
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            scenario.plane = plane;
+            let analysis = scenario.analyse().expect("an analysis");
+            let Some(Ok(of_plane)) = analysis.of(plane) else { continue };
+            texts.extend(of_plane.modes.iter().map(|mode| mode.naming.reason.clone()));
+            texts.extend(of_plane.levels.iter().map(|verdict| verdict.sentence()));
+            for approximation in &of_plane.approximations {
+                let words = [approximation.formula, approximation.neglects, approximation.name.text()];
+                texts.extend(words.map(str::to_owned));
+            }
+        }
+    }
+    let mut app = None;
+    let mut harness = Harness::builder().with_size(Vec2::new(1200.0, 30_000.0)).build_ui(move |ui| {
+        // The page's fonts, not its panes.
+        app.get_or_insert_with(|| App::new(ui.ctx()));
+        for text in &texts {
+            ui.label(text);
+        }
+    });
+    harness.run_steps(3);
+}
