@@ -10,13 +10,13 @@
 //!
 //! | module | in one line | knows nothing of |
 //! |---|---|---|
+//! | [`number`] | numbers as a person reads them | everything |
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`content`] | the aircraft that ship with the page, read and checked once | egui, web |
-//! | [`number`] | numbers as a person reads them | everything |
 //! | [`scenario`] | what is being studied, and the one table of adjustable quantities | egui, web |
 //! | [`export`] | state for other programs, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
-//! | `main.rs`, `web.rs` (feature `app`) | a window natively, a canvas in a browser | how anything is computed or drawn |
+//! | `web` (in a browser), `main.rs` (feature `app`) | a canvas, a window | how anything is computed or drawn |
 //!
 //! A module may use those above it, never those below.
 
