@@ -215,6 +215,9 @@ fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2)
             words.push(format!("{name}: two roots meet here, so there is no rate"));
             continue;
         };
+        if *strength < 1e-6 {
+            continue;
+        }
         // A square root keeps the weak ones visible.
         let tall = (strength / 0.1).min(1.0).sqrt() as f32 * (rect.height() - 8.0).min(18.0);
         let left = rect.left() + BAR_WIDTH * i as f32;
@@ -225,6 +228,9 @@ fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2)
         );
         ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
         words.push(format!("{name}: {}", change(mode, sensitivity, row.change)));
+    }
+    if words.is_empty() {
+        words.push("moves no pole".to_owned());
     }
     response.on_hover_text(format!("Ten per cent more of this\n{}", words.join("\n")));
 }
