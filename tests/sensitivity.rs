@@ -2,7 +2,6 @@
 
 mod reference;
 
-use eigenwing::flight::dual::{Dual, matrix_rate};
 use eigenwing::flight::modes::{Mode, modes_of};
 use eigenwing::flight::naming::ModeName;
 use eigenwing::flight::plane::Plane;
@@ -140,30 +139,6 @@ fn equal_roots_with_independent_vectors_are_repeated_too() {
     let all = modes(Plane::Lateral, &Matrix4::from_diagonal(&[-1.0, -1.0, -2.0, -3.0].into()));
     let repeated = |m: &&Mode| matches!(entry_sensitivity(m, 0, 0), Sensitivity::Repeated { .. });
     assert_eq!(all.iter().filter(repeated).count(), 2);
-}
-
-#[test]
-fn a_chain_of_formulas_is_differentiated_exactly() {
-    // A pitching aircraft whose M_w and M_q come from a tail volume p, and a gravity column from an angle.
-    let a = |p: Dual| {
-        let (zero, one) = (Dual::constant(0.0), Dual::constant(1.0));
-        let m_w = Dual::constant(-0.05) - p.powi(2) * 0.1 / (one + p);
-        let m_q = -(p.sqrt() * 2.0);
-        [
-            [Dual::from(-0.045), 0.036.into(), zero, -((p * 0.1).cos() * 9.80665)],
-            [Dual::from(-0.37), (-2.02).into(), 53.6.into(), -((p * 0.1).sin() * 9.80665)],
-            [zero, m_w, m_q, (p * 0.01).tan() * (-p).exp()],
-            [zero, zero, one, zero],
-        ]
-    };
-    let (value, exact) = matrix_rate(a, 0.7).expect("finite");
-    let h = 1e-5;
-    let [above, below] = [0.7 + h, 0.7 - h].map(|p| matrix_rate(a, p).expect("finite").0);
-    // h²·A‴/6 and ε|A|/h, A up to 54
-    assert!(((above - below) / (2.0 * h) - exact).amax() < 2e-9);
-    let mode = &modes(Plane::Longitudinal, &value)[0];
-    assert!(sensitivity(mode, &exact).rate().is_some());
-    assert_eq!(matrix_rate(|p| [[p.sqrt(); 4]; 4], -1.0), None);
 }
 
 proptest! {

@@ -5,6 +5,8 @@
 
 use thiserror::Error;
 
+use super::real::Real;
+
 /// Temperature at sea level T₀ \[K\].
 const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 /// Pressure at sea level p₀ \[Pa\].
@@ -25,15 +27,15 @@ pub const CEILING: f64 = 20_000.0;
 
 /// The air at one altitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Air {
+pub struct Air<T = f64> {
     /// Temperature T \[K\].
-    pub temperature: f64,
+    pub temperature: T,
     /// Pressure p \[Pa\].
-    pub pressure: f64,
+    pub pressure: T,
     /// Density ρ \[kg/m³\].
-    pub density: f64,
+    pub density: T,
     /// Speed of sound a \[m/s\].
-    pub sound_speed: f64,
+    pub sound_speed: T,
 }
 
 /// An altitude outside the model.
@@ -47,23 +49,23 @@ pub struct AtmosphereError {
 }
 
 /// The air at a geopotential altitude \[m\], from sea level to 20 km.
-pub fn standard_air(altitude: f64) -> Result<Air, AtmosphereError> {
-    if !(0.0..=CEILING).contains(&altitude) {
-        return Err(AtmosphereError { altitude });
+pub fn standard_air<T: Real>(altitude: T) -> Result<Air<T>, AtmosphereError> {
+    if !(0.0..=CEILING).contains(&altitude.re()) {
+        return Err(AtmosphereError { altitude: altitude.re() });
     }
     // T = T₀ + L h below the tropopause, constant above it
-    let temperature = SEA_LEVEL_TEMPERATURE + LAPSE * altitude.min(TROPOPAUSE);
+    let temperature = altitude.at_most(TROPOPAUSE) * LAPSE + SEA_LEVEL_TEMPERATURE;
     // p = p₀ (T/T₀)^(−g₀/(L R)), and above it p = p₁ e^(−g₀ (h − h₁)/(R T))
     let below =
-        SEA_LEVEL_PRESSURE * (temperature / SEA_LEVEL_TEMPERATURE).powf(-GRAVITY / (LAPSE * GAS_CONSTANT));
-    let above = (altitude - TROPOPAUSE).max(0.0);
-    let pressure = below * (-GRAVITY * above / (GAS_CONSTANT * temperature)).exp();
+        (temperature / SEA_LEVEL_TEMPERATURE).powf(-GRAVITY / (LAPSE * GAS_CONSTANT)) * SEA_LEVEL_PRESSURE;
+    let above = (altitude - TROPOPAUSE).at_least(0.0);
+    let pressure = below * (above * -GRAVITY / (temperature * GAS_CONSTANT)).exp();
     Ok(Air {
         temperature,
         pressure,
         // ρ = p/(R T)
-        density: pressure / (GAS_CONSTANT * temperature),
+        density: pressure / (temperature * GAS_CONSTANT),
         // a = √(γ R T)
-        sound_speed: (HEAT_RATIO * GAS_CONSTANT * temperature).sqrt(),
+        sound_speed: (temperature * (HEAT_RATIO * GAS_CONSTANT)).sqrt(),
     })
 }

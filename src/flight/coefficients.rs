@@ -3,6 +3,8 @@
 //! Stability axes. Rates are made dimensionless with c̄/2V (pitch) and b/2V (roll and yaw), angles are radians:
 //! Cm_q = ∂Cm/∂(q c̄/2V), Cl_p = ∂Cl/∂(p b/2V). A source that uses c̄/V prints half of these.
 
+use super::real::{Dual64, Real, record};
+
 /// Axes in which an airframe's moments of inertia are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InertiaAxes {
@@ -32,11 +34,11 @@ pub struct Fin {
     pub height: f64,
 }
 
-/// Mass and geometry.
+/// Mass and geometry; what a knob moves is of type `T`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Airframe {
+pub struct Airframe<T = f64> {
     /// Mass m \[kg\], positive.
-    pub mass: f64,
+    pub mass: T,
     /// Wing area S \[m²\], positive.
     pub s: f64,
     /// Mean aerodynamic chord c̄ \[m\], positive.
@@ -44,11 +46,11 @@ pub struct Airframe {
     /// Wing span b \[m\], positive.
     pub b: f64,
     /// Moment of inertia in roll Ix \[kg m²\], positive.
-    pub ix: f64,
+    pub ix: T,
     /// Moment of inertia in pitch Iy \[kg m²\], positive.
-    pub iy: f64,
+    pub iy: T,
     /// Moment of inertia in yaw Iz \[kg m²\], positive.
-    pub iz: f64,
+    pub iz: T,
     /// Product of inertia Ixz = ∫ x z dm \[kg m²\]; positive when the nose carries its mass low and the tail high.
     pub ixz: f64,
     /// Axes of the four above.
@@ -70,42 +72,68 @@ pub struct Airframe {
 
 /// Moments of inertia in the x–z plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanarInertia {
+pub struct PlanarInertia<T = f64> {
     /// Ix \[kg m²\].
-    pub ix: f64,
+    pub ix: T,
     /// Iz \[kg m²\].
-    pub iz: f64,
+    pub iz: T,
     /// Ixz \[kg m²\].
-    pub ixz: f64,
+    pub ixz: T,
 }
 
-impl PlanarInertia {
+impl<T: Real> PlanarInertia<T> {
     /// In axes turned nose-down by α \[rad\] about y: from body to stability axes for the trim angle of attack α
     /// (the tensor turned about y; Etkin & Reid, *Dynamics of Flight*, 3rd ed., ch. 4).
-    pub fn turned(&self, alpha: f64) -> Self {
+    pub fn turned(&self, alpha: T) -> Self {
         let Self { ix, iz, ixz } = *self;
         let (sin2, cos2) = (alpha.sin().powi(2), alpha.cos().powi(2));
-        let (sin_2a, cos_2a) = (2.0 * alpha).sin_cos();
+        let (sin_2a, cos_2a) = (alpha * 2.0).sin_cos();
         Self {
             // Ixˢ = Ix cos²α + Iz sin²α − Ixz sin 2α
             ix: ix * cos2 + iz * sin2 - ixz * sin_2a,
             // Izˢ = Ix sin²α + Iz cos²α + Ixz sin 2α
             iz: ix * sin2 + iz * cos2 + ixz * sin_2a,
             // Ixzˢ = ½ (Ix − Iz) sin 2α + Ixz cos 2α
-            ixz: 0.5 * (ix - iz) * sin_2a + ixz * cos_2a,
+            ixz: (ix - iz) * 0.5 * sin_2a + ixz * cos_2a,
         }
     }
 }
 
-impl Airframe {
+impl<T: Real> Airframe<T> {
     /// Inertia in stability axes where the body x axis stands at `alpha0` in the reference condition and at
     /// `alpha0 + alpha_change` now \[rad\].
-    pub fn stability_inertia(&self, alpha0: f64, alpha_change: f64) -> PlanarInertia {
-        let given = PlanarInertia { ix: self.ix, iz: self.iz, ixz: self.ixz };
+    pub fn stability_inertia(&self, alpha0: f64, alpha_change: T) -> PlanarInertia<T> {
+        let given = PlanarInertia { ix: self.ix, iz: self.iz, ixz: T::from(self.ixz) };
         given.turned(match self.inertia_axes {
-            InertiaAxes::Body => alpha0 + alpha_change,
+            InertiaAxes::Body => alpha_change + alpha0,
             InertiaAxes::Stability => alpha_change,
         })
+    }
+}
+
+impl Airframe {
+    /// The same with numbers that are constant.
+    pub fn at_rest(&self) -> Airframe<Dual64> {
+        let [mass, ix, iy, iz] = [self.mass, self.ix, self.iy, self.iz].map(Dual64::from);
+        let Self { s, c, b, ixz, inertia_axes, taper, tail, fin, .. } = *self;
+        let Self { thrust_per_throttle, thrust_exponent, thrust_offset, .. } = *self;
+        Airframe {
+            mass,
+            s,
+            c,
+            b,
+            ix,
+            iy,
+            iz,
+            ixz,
+            inertia_axes,
+            thrust_per_throttle,
+            thrust_exponent,
+            thrust_offset,
+            taper,
+            tail,
+            fin,
+        }
     }
 
     /// The first thing that no airframe can have, in a sentence with its key and the number.
@@ -137,83 +165,90 @@ impl Airframe {
 
 /// Longitudinal coefficients in one trim, stability axes, all per radian.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LongitudinalCoefficients {
+pub struct LongitudinalCoefficients<T = f64> {
     /// Trim lift coefficient C_L.
-    pub cl: f64,
+    pub cl: T,
     /// Trim drag coefficient C_D.
-    pub cd: f64,
+    pub cd: T,
     /// Lift-curve slope ∂C_L/∂α, positive.
-    pub cl_alpha: f64,
+    pub cl_alpha: T,
     /// ∂C_D/∂α, positive: lift costs drag.
-    pub cd_alpha: f64,
+    pub cd_alpha: T,
     /// ∂Cm/∂α, negative when a nose-up departure is met by a nose-down moment.
-    pub cm_alpha: f64,
+    pub cm_alpha: T,
     /// ∂C_L/∂(α̇ c̄/2V); from the downwash that reaches the tail late, positive by that source.
-    pub cl_alphadot: f64,
+    pub cl_alphadot: T,
     /// ∂Cm/∂(α̇ c̄/2V), negative with a tail aft.
-    pub cm_alphadot: f64,
+    pub cm_alphadot: T,
     /// ∂C_L/∂(q c̄/2V), positive with a tail aft.
-    pub cl_q: f64,
+    pub cl_q: T,
     /// ∂Cm/∂(q c̄/2V), pitch damping, negative.
-    pub cm_q: f64,
+    pub cm_q: T,
     /// ∂C_L/∂M at constant α.
-    pub cl_m: f64,
+    pub cl_m: T,
     /// ∂C_D/∂M at constant α.
-    pub cd_m: f64,
+    pub cd_m: T,
     /// ∂Cm/∂M at constant α; negative is tuck: faster pitches the nose down.
-    pub cm_m: f64,
+    pub cm_m: T,
     /// ∂C_L/∂δe, trailing edge down positive, so positive.
-    pub cl_de: f64,
+    pub cl_de: T,
     /// ∂C_D/∂δe.
-    pub cd_de: f64,
+    pub cd_de: T,
     /// ∂Cm/∂δe, elevator power, negative: trailing edge down pitches the nose down.
-    pub cm_de: f64,
+    pub cm_de: T,
 }
+record!(LongitudinalCoefficients:
+    cl cd cl_alpha cd_alpha cm_alpha cl_alphadot cm_alphadot cl_q cm_q cl_m cd_m cm_m cl_de cd_de
+    cm_de
+);
 
 /// Lateral–directional coefficients in one trim, stability axes, all per radian.
 ///
 /// The sense of a positive aileron is that of the source, seen in the sign of Cl_δa.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LateralCoefficients {
+pub struct LateralCoefficients<T = f64> {
     /// Side force by sideslip ∂CY/∂β, negative.
-    pub cy_beta: f64,
+    pub cy_beta: T,
     /// Dihedral effect ∂Cl/∂β, negative when sideslip to the right rolls to the left.
-    pub cl_beta: f64,
+    pub cl_beta: T,
     /// Weathercock stability ∂Cn/∂β, positive when the nose turns into the wind.
-    pub cn_beta: f64,
+    pub cn_beta: T,
     /// ∂CY/∂(p b/2V).
-    pub cy_p: f64,
+    pub cy_p: T,
     /// Roll damping ∂Cl/∂(p b/2V), negative.
-    pub cl_p: f64,
+    pub cl_p: T,
     /// Yaw by roll rate ∂Cn/∂(p b/2V), usually negative (adverse).
-    pub cn_p: f64,
+    pub cn_p: T,
     /// ∂CY/∂(r b/2V), positive with a fin aft.
-    pub cy_r: f64,
+    pub cy_r: T,
     /// Roll by yaw rate ∂Cl/∂(r b/2V), positive: the outer wing lifts more.
-    pub cl_r: f64,
+    pub cl_r: T,
     /// Yaw damping ∂Cn/∂(r b/2V), negative.
-    pub cn_r: f64,
+    pub cn_r: T,
     /// ∂CY/∂δa.
-    pub cy_da: f64,
+    pub cy_da: T,
     /// Aileron power ∂Cl/∂δa.
-    pub cl_da: f64,
+    pub cl_da: T,
     /// Adverse (or proverse) yaw ∂Cn/∂δa.
-    pub cn_da: f64,
+    pub cn_da: T,
     /// ∂CY/∂δr, positive: rudder trailing edge left pushes the tail right.
-    pub cy_dr: f64,
+    pub cy_dr: T,
     /// ∂Cl/∂δr.
-    pub cl_dr: f64,
+    pub cl_dr: T,
     /// Rudder power ∂Cn/∂δr, negative.
-    pub cn_dr: f64,
+    pub cn_dr: T,
 }
+record!(LateralCoefficients:
+    cy_beta cl_beta cn_beta cy_p cl_p cn_p cy_r cl_r cn_r cy_da cl_da cn_da cy_dr cl_dr cn_dr
+);
 
 /// Both planes; a source may have only the longitudinal one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coefficients {
+pub struct Coefficients<T = f64> {
     /// Longitudinal.
-    pub longitudinal: LongitudinalCoefficients,
+    pub longitudinal: LongitudinalCoefficients<T>,
     /// Lateral–directional, where the source has it.
-    pub lateral: Option<LateralCoefficients>,
+    pub lateral: Option<LateralCoefficients<T>>,
 }
 
 /// One coefficient by its key: a row of the tables below.

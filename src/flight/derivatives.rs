@@ -9,86 +9,93 @@ use nalgebra::{Matrix4, Matrix4x2};
 use super::coefficients::{Airframe, Field, LateralCoefficients, LongitudinalCoefficients, PlanarInertia};
 use super::condition::SteadyFlight;
 use super::plane::{Plane, PlaneModel, Trim};
+use super::real::{Real, record};
 
 /// Longitudinal derivatives, forces over m and moments over Iy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LongitudinalDerivatives {
+pub struct LongitudinalDerivatives<T = f64> {
     /// Speed damping Xu \[1/s\], negative: faster means more drag.
-    pub x_u: f64,
+    pub x_u: T,
     /// Xw \[1/s\].
-    pub x_w: f64,
+    pub x_w: T,
     /// Xq \[m/s\], small and usually left out.
-    pub x_q: f64,
+    pub x_q: T,
     /// Elevator drag X_δe \[m/s²\].
-    pub x_de: f64,
+    pub x_de: T,
     /// Throttle X_δt \[m/s²\], forward positive.
-    pub x_dt: f64,
+    pub x_dt: T,
     /// Zu \[1/s\], negative: faster lifts.
-    pub z_u: f64,
+    pub z_u: T,
     /// Heave damping Zw \[1/s\], negative.
-    pub z_w: f64,
+    pub z_w: T,
     /// Z_ẇ, without dimension.
-    pub z_wdot: f64,
+    pub z_wdot: T,
     /// Zq \[m/s\].
-    pub z_q: f64,
+    pub z_q: T,
     /// Elevator lift Z_δe \[m/s²\], negative: trailing edge down lifts.
-    pub z_de: f64,
+    pub z_de: T,
     /// Throttle Z_δt \[m/s²\], downward positive.
-    pub z_dt: f64,
+    pub z_dt: T,
     /// Speed stability Mu \[1/(m s)\]; negative is tuck.
-    pub m_u: f64,
+    pub m_u: T,
     /// Pitch stiffness Mw \[1/(m s)\], negative: a gust that raises α is met by a nose-down moment.
-    pub m_w: f64,
+    pub m_w: T,
     /// M_ẇ \[1/m\], negative with a tail aft.
-    pub m_wdot: f64,
+    pub m_wdot: T,
     /// Pitch damping Mq \[1/s\], negative.
-    pub m_q: f64,
+    pub m_q: T,
     /// Elevator power M_δe \[1/s²\], negative: trailing edge down pitches the nose down.
-    pub m_de: f64,
+    pub m_de: T,
     /// Throttle M_δt \[1/s²\], nose-up positive.
-    pub m_dt: f64,
+    pub m_dt: T,
 }
+record!(LongitudinalDerivatives:
+    x_u x_w x_q x_de x_dt z_u z_w z_wdot z_q z_de z_dt m_u m_w m_wdot m_q m_de m_dt
+);
 
 /// Lateral derivatives by sideslip velocity v, forces over m and moments over Ix and Iz, unprimed.
 ///
 /// Unprimed: L is the rolling moment over Ix, as if Ixz were zero; the coupling enters in [`lateral_model`] only.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LateralDerivatives {
+pub struct LateralDerivatives<T = f64> {
     /// Side force Yv \[1/s\], negative.
-    pub y_v: f64,
+    pub y_v: T,
     /// Yp \[m/s\].
-    pub y_p: f64,
+    pub y_p: T,
     /// Yr \[m/s\].
-    pub y_r: f64,
+    pub y_r: T,
     /// Y_δa \[m/s²\].
-    pub y_da: f64,
+    pub y_da: T,
     /// Y_δr \[m/s²\], positive.
-    pub y_dr: f64,
+    pub y_dr: T,
     /// Dihedral effect Lv \[1/(m s)\], negative.
-    pub l_v: f64,
+    pub l_v: T,
     /// Roll damping Lp \[1/s\], negative.
-    pub l_p: f64,
+    pub l_p: T,
     /// Lr \[1/s\], positive.
-    pub l_r: f64,
+    pub l_r: T,
     /// Aileron power L_δa \[1/s²\].
-    pub l_da: f64,
+    pub l_da: T,
     /// L_δr \[1/s²\].
-    pub l_dr: f64,
+    pub l_dr: T,
     /// Weathercock stability Nv \[1/(m s)\], positive.
-    pub n_v: f64,
+    pub n_v: T,
     /// Np \[1/s\].
-    pub n_p: f64,
+    pub n_p: T,
     /// Yaw damping Nr \[1/s\], negative.
-    pub n_r: f64,
+    pub n_r: T,
     /// N_δa \[1/s²\].
-    pub n_da: f64,
+    pub n_da: T,
     /// Rudder power N_δr \[1/s²\], negative.
-    pub n_dr: f64,
+    pub n_dr: T,
     /// Ixz/Ix in the axes of the derivatives; zero where a source gives primed derivatives and no inertia.
-    pub ixz_over_ix: f64,
+    pub ixz_over_ix: T,
     /// Ixz/Iz in the axes of the derivatives.
-    pub ixz_over_iz: f64,
+    pub ixz_over_iz: T,
 }
+record!(LateralDerivatives:
+    y_v y_p y_r y_da y_dr l_v l_p l_r l_da l_dr n_v n_p n_r n_da n_dr ixz_over_ix ixz_over_iz
+);
 
 /// A dimensional derivative by its key, with the power of length in its unit for conversion.
 #[derive(Clone, Copy, Debug)]
@@ -148,35 +155,35 @@ pub const LATERAL_DERIVATIVES: [DimensionalField<LateralDerivatives>; 15] = [
     row("Ndr", false, 0, |d| &mut d.n_dr),
 ];
 
-impl LongitudinalDerivatives {
+impl<T: Real> LongitudinalDerivatives<T> {
     /// From coefficients in stability axes (Nelson, ch. 3; McRuer, Ashkenas & Graham, ch. 4; thrust terms after
     /// Etkin & Reid, ch. 5, to first order in the thrust line's offset).
     pub fn from_coefficients(
-        c: &LongitudinalCoefficients,
-        airframe: &Airframe,
-        flight: &SteadyFlight,
+        c: &LongitudinalCoefficients<T>,
+        airframe: &Airframe<T>,
+        flight: &SteadyFlight<T>,
     ) -> Self {
         let (v, q_bar, mach) = (flight.condition.speed, flight.dynamic_pressure, flight.mach);
         let Airframe { mass, s, c: chord, iy, .. } = *airframe;
         let (force, moment) = (q_bar * s / mass, q_bar * s * chord / iy);
-        let half_time = chord / (2.0 * v);
+        let half_time = T::from(chord) / (v * 2.0);
         // T = D + W sin γ₀, so C_T = C_D + C_L tan γ₀; Cm_T = C_T z_T/c̄, balanced by the air
         let c_t = c.cd + c.cl * flight.condition.gamma0.tan();
         let cm_t = c_t * airframe.thrust_offset / chord;
         let n = airframe.thrust_exponent;
-        let throttle = airframe.thrust_per_throttle;
+        let (zero, throttle) = (T::from(0.0), T::from(airframe.thrust_per_throttle));
         Self {
             // Xu = −(q̄S/mV)(2 C_D + M C_D_M − n C_T)
-            x_u: -force / v * (2.0 * c.cd + mach * c.cd_m - n * c_t),
+            x_u: -force / v * (c.cd * 2.0 + mach * c.cd_m - c_t * n),
             // Xw = (q̄S/mV)(C_L − C_Dα)
             x_w: force / v * (c.cl - c.cd_alpha),
-            x_q: 0.0,
+            x_q: zero,
             // X_δe = −(q̄S/m) C_Dδe
             x_de: -force * c.cd_de,
             // X_δt = T_δt/m
             x_dt: throttle / mass,
             // Zu = −(q̄S/mV)(2 C_L + M C_L_M)
-            z_u: -force / v * (2.0 * c.cl + mach * c.cl_m),
+            z_u: -force / v * (c.cl * 2.0 + mach * c.cl_m),
             // Zw = −(q̄S/mV)(C_Lα + C_D)
             z_w: -force / v * (c.cl_alpha + c.cd),
             // Zẇ = −(q̄S/mV)(c̄/2V) C_Lα̇
@@ -185,9 +192,9 @@ impl LongitudinalDerivatives {
             z_q: -force * half_time * c.cl_q,
             // Z_δe = −(q̄S/m) C_Lδe
             z_de: -force * c.cl_de,
-            z_dt: 0.0,
+            z_dt: zero,
             // Mu = (q̄Sc̄/IyV)(M Cm_M + (n − 2) Cm_T)
-            m_u: moment / v * (mach * c.cm_m + (n - 2.0) * cm_t),
+            m_u: moment / v * (mach * c.cm_m + cm_t * (n - 2.0)),
             // Mw = (q̄Sc̄/IyV) Cmα
             m_w: moment / v * c.cm_alpha,
             // Mẇ = (q̄Sc̄/IyV)(c̄/2V) Cmα̇
@@ -202,19 +209,19 @@ impl LongitudinalDerivatives {
     }
 }
 
-impl LateralDerivatives {
+impl<T: Real> LateralDerivatives<T> {
     /// From coefficients in stability axes with the inertia in the same axes (Nelson, ch. 3).
     pub fn from_coefficients(
-        c: &LateralCoefficients,
-        airframe: &Airframe,
-        inertia: &PlanarInertia,
-        flight: &SteadyFlight,
+        c: &LateralCoefficients<T>,
+        airframe: &Airframe<T>,
+        inertia: &PlanarInertia<T>,
+        flight: &SteadyFlight<T>,
     ) -> Self {
         let (v, q_bar) = (flight.condition.speed, flight.dynamic_pressure);
         let Airframe { mass, s, b, .. } = *airframe;
         let force = q_bar * s / mass;
         let (roll, yaw) = (q_bar * s * b / inertia.ix, q_bar * s * b / inertia.iz);
-        let half_time = b / (2.0 * v);
+        let half_time = T::from(b) / (v * 2.0);
         Self {
             // Yv = (q̄S/mV) CYβ,  Yp = (q̄S/m)(b/2V) CYp
             y_v: force / v * c.cy_beta,
@@ -242,19 +249,19 @@ impl LateralDerivatives {
     /// From derivatives that are printed primed, the product of inertia already in them, so that it enters once:
     /// L = L′ − (Ixz/Ix) N′ and N = N′ − (Ixz/Iz) L′, the inverse of [`LateralDerivatives::primed`].
     pub fn from_primed(primed: &Self) -> Self {
-        primed.mixed(-1.0, 1.0)
+        primed.mixed(-1.0, T::from(1.0))
     }
 
     /// The same with primed L′ and N′: L′ = (L + (Ixz/Ix) N) G, N′ = (N + (Ixz/Iz) L) G, G = 1/(1 − Ixz²/(Ix Iz))
     /// (McRuer, Ashkenas & Graham, ch. 4).
     pub fn primed(&self) -> Self {
-        self.mixed(1.0, 1.0 / (1.0 - self.ixz_over_ix * self.ixz_over_iz))
+        self.mixed(1.0, (T::from(1.0) - self.ixz_over_ix * self.ixz_over_iz).recip())
     }
 
-    fn mixed(&self, sign: f64, g: f64) -> Self {
-        let (ix, iz) = (sign * self.ixz_over_ix, sign * self.ixz_over_iz);
-        let roll = |l: f64, n: f64| (l + ix * n) * g;
-        let yaw = |l: f64, n: f64| (n + iz * l) * g;
+    fn mixed(&self, sign: f64, g: T) -> Self {
+        let (ix, iz) = (self.ixz_over_ix * sign, self.ixz_over_iz * sign);
+        let roll = |l: T, n: T| (l + ix * n) * g;
+        let yaw = |l: T, n: T| (n + iz * l) * g;
         Self {
             l_v: roll(self.l_v, self.n_v),
             l_p: roll(self.l_p, self.n_p),
@@ -281,26 +288,27 @@ impl LateralDerivatives {
 /// ```
 ///
 /// Entries are not finite where D is zero.
-pub fn longitudinal_model(d: &LongitudinalDerivatives, trim: &Trim) -> PlaneModel {
+pub fn longitudinal_model<T: Real>(d: &LongitudinalDerivatives<T>, trim: &Trim<T>) -> PlaneModel<T> {
     let (u0, w0, g) = (trim.u0(), trim.w0(), trim.gravity);
+    let (zero, one) = (T::from(0.0), T::from(1.0));
     let (sin, cos) = trim.theta0().sin_cos();
     // D ẇ = Zu u + Zw w + (U₀ + Zq) q − g sin θ₀ θ + Zδ δ
-    let denominator = 1.0 - d.z_wdot;
-    let [w_u, w_w, w_q, w_theta] = [d.z_u, d.z_w, u0 + d.z_q, -g * sin].map(|z| z / denominator);
+    let denominator = one - d.z_wdot;
+    let [w_u, w_w, w_q, w_theta] = [d.z_u, d.z_w, u0 + d.z_q, sin * -g].map(|z| z / denominator);
     let [w_de, w_dt] = [d.z_de, d.z_dt].map(|z| z / denominator);
     #[rustfmt::skip]
     let a = Matrix4::new(
-        d.x_u,                d.x_w,                d.x_q - w0,           -g * cos,
+        d.x_u,                d.x_w,                d.x_q - w0,           cos * -g,
         w_u,                  w_w,                  w_q,                  w_theta,
         d.m_u + d.m_wdot*w_u, d.m_w + d.m_wdot*w_w, d.m_q + d.m_wdot*w_q, d.m_wdot*w_theta,
-        0.0,                  0.0,                  1.0,                  0.0,
+        zero,                 zero,                 one,                  zero,
     );
     #[rustfmt::skip]
     let b = Matrix4x2::new(
         d.x_de,                 d.x_dt,
         w_de,                   w_dt,
         d.m_de + d.m_wdot*w_de, d.m_dt + d.m_wdot*w_dt,
-        0.0,                    0.0,
+        zero,                   zero,
     );
     PlaneModel { plane: Plane::Longitudinal, a, b, trim: *trim }
 }
@@ -314,22 +322,23 @@ pub fn longitudinal_model(d: &LongitudinalDerivatives, trim: &Trim) -> PlaneMode
 ///     ⎢ N′v  N′p       N′r       0        ⎥
 ///     ⎣ 0    1         tan θ₀    0        ⎦
 /// ```
-pub fn lateral_model(d: &LateralDerivatives, trim: &Trim) -> PlaneModel {
+pub fn lateral_model<T: Real>(d: &LateralDerivatives<T>, trim: &Trim<T>) -> PlaneModel<T> {
+    let (zero, one) = (T::from(0.0), T::from(1.0));
     let (u0, w0, theta0) = (trim.u0(), trim.w0(), trim.theta0());
     let d = d.primed();
     #[rustfmt::skip]
     let a = Matrix4::new(
-        d.y_v, d.y_p + w0, d.y_r - u0,   trim.gravity * theta0.cos(),
-        d.l_v, d.l_p,      d.l_r,        0.0,
-        d.n_v, d.n_p,      d.n_r,        0.0,
-        0.0,   1.0,        theta0.tan(), 0.0,
+        d.y_v, d.y_p + w0, d.y_r - u0,   theta0.cos() * trim.gravity,
+        d.l_v, d.l_p,      d.l_r,        zero,
+        d.n_v, d.n_p,      d.n_r,        zero,
+        zero,  one,        theta0.tan(), zero,
     );
     #[rustfmt::skip]
     let b = Matrix4x2::new(
         d.y_da, d.y_dr,
         d.l_da, d.l_dr,
         d.n_da, d.n_dr,
-        0.0,    0.0,
+        zero,   zero,
     );
     PlaneModel { plane: Plane::Lateral, a, b, trim: *trim }
 }

@@ -8,10 +8,9 @@
 
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
-use super::derivatives::{
-    LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives,
-};
+use super::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use super::plane::{Plane, PlaneModel};
+use super::real::{Real, Record};
 use super::states::{Lateral, Longitudinal};
 use super::study::{DerivativeStudy, Models, Study, StudyError};
 
@@ -38,6 +37,16 @@ pub struct MatrixOffsets {
 }
 
 impl Offsets {
+    /// Derivatives with their offsets.
+    pub fn on<T: Real>(&self, study: DerivativeStudy<T>) -> DerivativeStudy<T> {
+        let DerivativeStudy { trim, longitudinal, lateral } = study;
+        DerivativeStudy {
+            trim,
+            longitudinal: longitudinal.map(|d| d.zip(&self.longitudinal, |x, offset: f64| x + offset)),
+            lateral: lateral.map(|d| d.zip(&self.lateral, |x, offset: f64| x + offset)),
+        }
+    }
+
     /// Those on the matrices of a plane.
     pub fn matrices(&self, plane: Plane) -> &MatrixOffsets {
         match plane {
@@ -72,18 +81,7 @@ impl Edited {
 
     /// Dimensional derivatives with their offsets; `None` where the source has bare matrices.
     pub fn derivatives(&self) -> Result<Option<DerivativeStudy>, StudyError> {
-        let Some(mut study) = self.study.to_derivatives()? else { return Ok(None) };
-        if let Some(d) = &mut study.longitudinal {
-            for row in &LONGITUDINAL_DERIVATIVES {
-                *(row.field.of)(d) += row.field.get(&self.offsets.longitudinal);
-            }
-        }
-        if let Some(d) = &mut study.lateral {
-            for row in &LATERAL_DERIVATIVES {
-                *(row.field.of)(d) += row.field.get(&self.offsets.lateral);
-            }
-        }
-        Ok(Some(study))
+        Ok(self.study.to_derivatives()?.map(|study| self.offsets.on(study)))
     }
 
     /// The models before the offsets on their matrices.

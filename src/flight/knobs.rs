@@ -7,27 +7,29 @@
 use thiserror::Error;
 
 use super::coefficients::{Airframe, Coefficients};
+use super::real::{Real, record};
 
 /// Where every knob stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Knobs {
+pub struct Knobs<T = f64> {
     /// Mass over the reference mass, positive.
-    pub mass_ratio: f64,
+    pub mass_ratio: T,
     /// Ix over its reference, positive.
-    pub ix_ratio: f64,
+    pub ix_ratio: T,
     /// Iy over its reference, positive.
-    pub iy_ratio: f64,
+    pub iy_ratio: T,
     /// Iz over its reference, positive.
-    pub iz_ratio: f64,
+    pub iz_ratio: T,
     /// Centre of gravity aft of the reference, in mean chords Δx/c̄, aft positive.
-    pub cg_shift: f64,
+    pub cg_shift: T,
     /// Horizontal-tail area over the reference area; the arm stays.
-    pub tail_ratio: f64,
+    pub tail_ratio: T,
     /// Fin and rudder area over the reference area; arm and height stay.
-    pub fin_ratio: f64,
+    pub fin_ratio: T,
     /// Dihedral angle more than the reference \[rad\], wing tips up positive.
-    pub dihedral_change: f64,
+    pub dihedral_change: T,
 }
+record!(Knobs: mass_ratio ix_ratio iy_ratio iz_ratio cg_shift tail_ratio fin_ratio dihedral_change);
 
 impl Default for Knobs {
     fn default() -> Self {
@@ -156,13 +158,13 @@ impl Knob {
     }
 }
 
-impl Knobs {
+impl<T: Real> Knobs<T> {
     /// Airframe and coefficients with every knob applied, in the order of [`Knob::ALL`].
     pub fn apply(
         &self,
-        airframe: &Airframe,
-        coefficients: &Coefficients,
-    ) -> Result<(Airframe, Coefficients), KnobError> {
+        airframe: &Airframe<T>,
+        coefficients: &Coefficients<T>,
+    ) -> Result<(Airframe<T>, Coefficients<T>), KnobError> {
         let mut now = (*airframe, *coefficients);
         for knob in Knob::ALL {
             now = self.apply_one(knob, &now.0, &now.1)?;
@@ -174,9 +176,9 @@ impl Knobs {
     pub fn apply_one(
         &self,
         knob: Knob,
-        airframe: &Airframe,
-        coefficients: &Coefficients,
-    ) -> Result<(Airframe, Coefficients), KnobError> {
+        airframe: &Airframe<T>,
+        coefficients: &Coefficients<T>,
+    ) -> Result<(Airframe<T>, Coefficients<T>), KnobError> {
         let (mut a, mut c) = (*airframe, *coefficients);
         match knob {
             Knob::Mass => a.mass *= positive("the mass ratio", self.mass_ratio)?,
@@ -194,19 +196,19 @@ impl Knobs {
                 )?;
                 c = shifted(&a, &c, shift);
             }
-            Knob::Tail if self.tail_ratio == 1.0 => {}
+            Knob::Tail if self.tail_ratio.rests_at(1.0) => {}
             Knob::Tail => {
                 let arm = a.tail.map(|tail| tail.arm / a.c);
                 let arm = arm.ok_or(missing("the horizontal tail", "tail arm"))?;
                 c = with_tail(&c, arm, not_negative("the ratio of tail areas", self.tail_ratio)?);
             }
-            Knob::Fin if self.fin_ratio == 1.0 => {}
+            Knob::Fin if self.fin_ratio.rests_at(1.0) => {}
             Knob::Fin => {
                 let fin = a.fin.map(|fin| (fin.arm / a.b, fin.height / a.b));
                 let fin = fin.ok_or(missing("the fin", "fin arm"))?;
                 c = with_fin(&c, fin, not_negative("the ratio of fin areas", self.fin_ratio)?);
             }
-            Knob::Dihedral if self.dihedral_change == 0.0 => {}
+            Knob::Dihedral if self.dihedral_change.rests_at(0.0) => {}
             Knob::Dihedral => {
                 let taper = a.taper.ok_or(missing("the dihedral", "taper ratio of the wing"))?;
                 let change = within("the change of dihedral", self.dihedral_change, 0.6, "within 0.6 rad")?;
@@ -221,18 +223,18 @@ const fn missing(what: &'static str, missing: &'static str) -> KnobError {
     KnobError::NoGeometry { what, missing }
 }
 
-fn positive(what: &'static str, value: f64) -> Result<f64, KnobError> {
-    let good = value.is_finite() && value > 0.0;
-    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "positive", value }) }
+fn positive<T: Real>(what: &'static str, value: T) -> Result<T, KnobError> {
+    let good = value.re().is_finite() && value > 0.0;
+    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "positive", value: value.re() }) }
 }
 
-fn not_negative(what: &'static str, value: f64) -> Result<f64, KnobError> {
-    let good = value.is_finite() && value >= 0.0;
-    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "zero or more", value }) }
+fn not_negative<T: Real>(what: &'static str, value: T) -> Result<T, KnobError> {
+    let good = value.re().is_finite() && value >= 0.0;
+    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "zero or more", value: value.re() }) }
 }
 
-fn within(what: &'static str, value: f64, limit: f64, expected: &'static str) -> Result<f64, KnobError> {
-    if value.abs() <= limit { Ok(value) } else { Err(KnobError::Range { what, expected, value }) }
+fn within<T: Real>(what: &'static str, value: T, limit: f64, expected: &'static str) -> Result<T, KnobError> {
+    if value.abs() <= limit { Ok(value) } else { Err(KnobError::Range { what, expected, value: value.re() }) }
 }
 
 /// Neutral point aft of the reference centre of gravity, in mean chords: h_n − h = −Cm_α/C_Lα (Etkin & Reid §2.3).
@@ -244,12 +246,12 @@ pub fn static_margin(c: &Coefficients) -> f64 {
 ///
 /// A force at the old centre acts Δx ahead of the new one: Cm′ = Cm + C_L Δx/c̄ and Cn′ = Cn + CY Δx/b. Turning about the new
 /// centre moves the old one: α = α′ − q Δx/V and β = β′ + r Δx/V. The force along x and the height are left alone.
-fn shifted(airframe: &Airframe, coefficients: &Coefficients, shift: f64) -> Coefficients {
+fn shifted<T: Real>(airframe: &Airframe<T>, coefficients: &Coefficients<T>, shift: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     let (l, h) = (&mut moved.longitudinal, shift);
     // in q c̄/2V: C_Lq′ = C_Lq − 2h C_Lα,  Cm_q′ = Cm_q − 2h Cm_α + h C_Lq′
-    l.cl_q -= 2.0 * h * l.cl_alpha;
-    l.cm_q += h * l.cl_q - 2.0 * h * l.cm_alpha;
+    l.cl_q -= h * 2.0 * l.cl_alpha;
+    l.cm_q += h * l.cl_q - h * 2.0 * l.cm_alpha;
     // Cm_α′ = Cm_α + h C_Lα, and so for α̇, M and δe
     l.cm_alpha += h * l.cl_alpha;
     l.cm_alphadot += h * l.cl_alphadot;
@@ -258,9 +260,9 @@ fn shifted(airframe: &Airframe, coefficients: &Coefficients, shift: f64) -> Coef
     if let Some(c) = &mut moved.lateral {
         let d = h * airframe.c / airframe.b;
         // in r b/2V: CY_r′ = CY_r + 2d CY_β,  Cl_r′ = Cl_r + 2d Cl_β,  Cn_r′ = Cn_r + 2d Cn_β + d CY_r′
-        c.cy_r += 2.0 * d * c.cy_beta;
-        c.cl_r += 2.0 * d * c.cl_beta;
-        c.cn_r += 2.0 * d * c.cn_beta + d * c.cy_r;
+        c.cy_r += d * 2.0 * c.cy_beta;
+        c.cl_r += d * 2.0 * c.cl_beta;
+        c.cn_r += d * 2.0 * c.cn_beta + d * c.cy_r;
         // Cn_β′ = Cn_β + d CY_β, and so for p, δa and δr
         c.cn_beta += d * c.cy_beta;
         c.cn_p += d * c.cy_p;
@@ -271,18 +273,19 @@ fn shifted(airframe: &Airframe, coefficients: &Coefficients, shift: f64) -> Coef
 }
 
 /// A tail `ratio` times as large on the same arm l_t/c̄.
-fn with_tail(coefficients: &Coefficients, arm: f64, ratio: f64) -> Coefficients {
+fn with_tail<T: Real>(coefficients: &Coefficients<T>, arm: f64, ratio: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     let (c, l) = (&coefficients.longitudinal, &mut moved.longitudinal);
-    let more = ratio - 1.0;
+    let (one, more) = (T::from(1.0), ratio - 1.0);
     // Cm_q = 1.1 Cm_qt, and Cm_qt = −2 η a_t (S_t/S)(l_t/c̄)²
-    let cm_q_tail = c.cm_q.min(0.0) / 1.1;
+    let cm_q_tail = c.cm_q.at_most(0.0) / 1.1;
     let lift_slope = -cm_q_tail / (2.0 * arm * arm);
     // dε/dα = Cm_α̇/Cm_qt
-    let downwash = if cm_q_tail < 0.0 { (c.cm_alphadot / cm_q_tail).clamp(0.0, 1.0) } else { 0.0 };
+    let downwash =
+        if cm_q_tail < 0.0 { (c.cm_alphadot / cm_q_tail).at_least(0.0).at_most(1.0) } else { T::from(0.0) };
     // C_Lαt = η a_t (S_t/S)(1 − dε/dα),  Cm_αt = −(l_t/c̄) C_Lαt
-    l.cl_alpha += more * lift_slope * (1.0 - downwash);
-    l.cm_alpha -= more * arm * lift_slope * (1.0 - downwash);
+    l.cl_alpha += more * lift_slope * (one - downwash);
+    l.cm_alpha -= more * arm * lift_slope * (one - downwash);
     // C_Lqt = 2 η a_t (S_t/S)(l_t/c̄),  C_Lα̇t = C_Lqt dε/dα
     l.cl_q += more * 2.0 * arm * lift_slope;
     l.cm_q += more * cm_q_tail;
@@ -296,11 +299,11 @@ fn with_tail(coefficients: &Coefficients, arm: f64, ratio: f64) -> Coefficients 
 }
 
 /// A fin and rudder `ratio` times as large, with arm l_v/b and height z_v/b the same.
-fn with_fin(coefficients: &Coefficients, (arm, height): (f64, f64), ratio: f64) -> Coefficients {
+fn with_fin<T: Real>(coefficients: &Coefficients<T>, (arm, height): (f64, f64), ratio: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     if let Some(c) = &mut moved.lateral {
         // Cn_r = 2 (l_v/b)² CY_βv
-        let cy_beta_fin = c.cn_r.min(0.0) / (2.0 * arm * arm);
+        let cy_beta_fin = c.cn_r.at_most(0.0) / (2.0 * arm * arm);
         let more = (ratio - 1.0) * cy_beta_fin;
         // at the fin β′ = β + 2 (z_v/b) p̂ − 2 (l_v/b) r̂;  Cl = (z_v/b) CY,  Cn = −(l_v/b) CY
         c.cy_beta += more;
@@ -320,7 +323,7 @@ fn with_fin(coefficients: &Coefficients, (arm, height): (f64, f64), ratio: f64) 
 }
 
 /// Wing tips up by `change` \[rad\] more, on a wing of taper ratio λ.
-fn with_dihedral(coefficients: &Coefficients, taper: f64, change: f64) -> Coefficients {
+fn with_dihedral<T: Real>(coefficients: &Coefficients<T>, taper: f64, change: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     if let Some(c) = &mut moved.lateral {
         // ΔCl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) ΔΓ

@@ -2,6 +2,8 @@
 
 use nalgebra::{Matrix4, Matrix4x2};
 
+use super::real::Real;
+
 /// The two families of motion that separate for a symmetric aircraft in symmetric flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plane {
@@ -13,43 +15,43 @@ pub enum Plane {
 
 /// Steady flight about which the motion is linear.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trim {
+pub struct Trim<T = f64> {
     /// True airspeed V \[m/s\], positive.
-    pub speed: f64,
+    pub speed: T,
     /// Angle of attack α₀ of the body x axis \[rad\]; zero in stability axes.
     pub alpha0: f64,
     /// Flight-path angle γ₀ \[rad\], climbing positive.
-    pub gamma0: f64,
+    pub gamma0: T,
     /// Acceleration of free fall \[m/s²\].
     pub gravity: f64,
 }
 
-impl Trim {
+impl<T: Real> Trim<T> {
     /// U₀ = V cos α₀ \[m/s\].
-    pub fn u0(&self) -> f64 {
+    pub fn u0(&self) -> T {
         self.speed * self.alpha0.cos()
     }
 
     /// W₀ = V sin α₀ \[m/s\].
-    pub fn w0(&self) -> f64 {
+    pub fn w0(&self) -> T {
         self.speed * self.alpha0.sin()
     }
 
     /// Pitch angle θ₀ = γ₀ + α₀ \[rad\].
-    pub fn theta0(&self) -> f64 {
+    pub fn theta0(&self) -> T {
         self.gamma0 + self.alpha0
     }
 }
 
 /// Motion in one plane about a trim: ẋ = A x + B δ, SI and radians.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PlaneModel {
+pub struct PlaneModel<T = f64> {
     /// Which plane, and so which states and inputs.
     pub plane: Plane,
     /// State matrix.
-    pub a: Matrix4<f64>,
+    pub a: Matrix4<T>,
     /// Input columns.
-    pub b: Matrix4x2<f64>,
+    pub b: Matrix4x2<T>,
     /// The steady flight.
-    pub trim: Trim,
+    pub trim: Trim<T>,
 }

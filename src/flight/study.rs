@@ -9,6 +9,7 @@ use super::condition::{
 use super::derivatives::{LateralDerivatives, LongitudinalDerivatives, lateral_model, longitudinal_model};
 use super::knobs::{KnobError, Knobs};
 use super::plane::{Plane, PlaneModel, Trim};
+use super::real::{Dual64, Real, at_rest};
 
 /// Everything editable of an aircraft, starting where its source starts.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,30 +24,30 @@ pub enum Study {
 
 /// An aircraft given by coefficients.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CoefficientStudy {
+pub struct CoefficientStudy<T = f64> {
     /// Mass and geometry of the reference.
-    pub airframe: Airframe,
+    pub airframe: Airframe<T>,
     /// The source's steady flight.
     pub reference: Reference,
     /// How far from it the coefficients hold.
     pub validity: Validity,
     /// Steady flight now.
-    pub condition: FlightCondition,
+    pub condition: FlightCondition<T>,
     /// Knobs now.
-    pub knobs: Knobs,
+    pub knobs: Knobs<T>,
     /// Coefficients of the reference, as edited.
-    pub coefficients: Coefficients,
+    pub coefficients: Coefficients<T>,
 }
 
 /// An aircraft given by dimensional derivatives.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DerivativeStudy {
+pub struct DerivativeStudy<T = f64> {
     /// The steady flight; α₀ is not zero in body axes.
-    pub trim: Trim,
+    pub trim: Trim<T>,
     /// Longitudinal derivatives.
-    pub longitudinal: Option<LongitudinalDerivatives>,
+    pub longitudinal: Option<LongitudinalDerivatives<T>>,
     /// Lateral derivatives, unprimed.
-    pub lateral: Option<LateralDerivatives>,
+    pub lateral: Option<LateralDerivatives<T>>,
 }
 
 /// An aircraft given by its matrices.
@@ -60,11 +61,11 @@ pub struct MatrixStudy {
 
 /// The linear models of both planes. A plane without data, or with a problem, leaves the other alone.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Models {
+pub struct Models<T = f64> {
     /// Longitudinal.
-    pub longitudinal: Option<PlaneModel>,
+    pub longitudinal: Option<PlaneModel<T>>,
     /// Lateral–directional.
-    pub lateral: Option<PlaneModel>,
+    pub lateral: Option<PlaneModel<T>>,
     /// Why a plane that has data has no model.
     pub problems: Vec<StudyError>,
 }
@@ -122,15 +123,15 @@ const fn plane_name(plane: Plane) -> &'static str {
 
 /// What lies between coefficients and matrices, for showing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Derived {
+pub struct Derived<T = f64> {
     /// The steady flight.
-    pub flight: SteadyFlight,
+    pub flight: SteadyFlight<T>,
     /// Airframe with the knobs applied.
-    pub airframe: Airframe,
+    pub airframe: Airframe<T>,
     /// Coefficients with knobs and condition applied.
-    pub coefficients: Coefficients,
+    pub coefficients: Coefficients<T>,
     /// Dimensional derivatives and trim, stability axes.
-    pub derivatives: DerivativeStudy,
+    pub derivatives: DerivativeStudy<T>,
 }
 
 impl CoefficientStudy {
@@ -145,8 +146,25 @@ impl CoefficientStudy {
         Self { airframe, reference, validity, condition, knobs: Knobs::default(), coefficients }
     }
 
+    /// The same with numbers that are constant, to put a parameter among them.
+    pub fn at_rest(&self) -> CoefficientStudy<Dual64> {
+        CoefficientStudy {
+            airframe: self.airframe.at_rest(),
+            reference: self.reference,
+            validity: self.validity,
+            condition: at_rest(&self.condition),
+            knobs: at_rest(&self.knobs),
+            coefficients: Coefficients {
+                longitudinal: at_rest(&self.coefficients.longitudinal),
+                lateral: self.coefficients.lateral.as_ref().map(at_rest),
+            },
+        }
+    }
+}
+
+impl<T: Real> CoefficientStudy<T> {
     /// Knobs, then condition, then dimensional derivatives.
-    pub fn derive(&self) -> Result<Derived, StudyError> {
+    pub fn derive(&self) -> Result<Derived<T>, StudyError> {
         let (airframe, coefficients) = self.knobs.apply(&self.airframe, &self.coefficients)?;
         let flight =
             steady_flight(&self.condition, &self.reference, &self.validity, &airframe, &coefficients)?;
@@ -165,11 +183,23 @@ impl CoefficientStudy {
 }
 
 impl DerivativeStudy {
+    /// The same with numbers that are constant, to put a parameter among them.
+    pub fn at_rest(&self) -> DerivativeStudy<Dual64> {
+        let Trim { speed, alpha0, gamma0, gravity } = self.trim;
+        DerivativeStudy {
+            trim: Trim { speed: speed.into(), alpha0, gamma0: gamma0.into(), gravity },
+            longitudinal: self.longitudinal.as_ref().map(at_rest),
+            lateral: self.lateral.as_ref().map(at_rest),
+        }
+    }
+}
+
+impl<T: Real> DerivativeStudy<T> {
     /// The models; a problem of one plane leaves the other.
-    pub fn models(&self) -> Models {
-        let mut models = Models::default();
+    pub fn models(&self) -> Models<T> {
+        let mut models = Models { longitudinal: None, lateral: None, problems: Vec::new() };
         if let Some(d) = &self.longitudinal {
-            let denominator = 1.0 - d.z_wdot;
+            let denominator = 1.0 - d.z_wdot.re();
             let made = if denominator.abs() < 1e-9 {
                 Err(StudyError::Heave { denominator })
             } else {
@@ -178,7 +208,7 @@ impl DerivativeStudy {
             models.longitudinal = models.kept(made);
         }
         if let Some(d) = &self.lateral {
-            let ratio = d.ixz_over_ix * d.ixz_over_iz;
+            let ratio = (d.ixz_over_ix * d.ixz_over_iz).re();
             let made = if ratio < 1.0 {
                 finite(lateral_model(d, &self.trim))
             } else {
@@ -190,16 +220,16 @@ impl DerivativeStudy {
     }
 }
 
-impl Models {
+impl<T: Real> Models<T> {
     /// The model of a plane.
-    pub fn of(&self, plane: Plane) -> Option<&PlaneModel> {
+    pub fn of(&self, plane: Plane) -> Option<&PlaneModel<T>> {
         match plane {
             Plane::Longitudinal => self.longitudinal.as_ref(),
             Plane::Lateral => self.lateral.as_ref(),
         }
     }
 
-    fn kept(&mut self, made: Result<PlaneModel, StudyError>) -> Option<PlaneModel> {
+    fn kept(&mut self, made: Result<PlaneModel<T>, StudyError>) -> Option<PlaneModel<T>> {
         match made {
             Ok(model) => Some(model),
             Err(problem) => {
@@ -210,8 +240,8 @@ impl Models {
     }
 }
 
-fn finite(model: PlaneModel) -> Result<PlaneModel, StudyError> {
-    let good = model.a.iter().chain(&model.b).all(|x| x.is_finite());
+fn finite<T: Real>(model: PlaneModel<T>) -> Result<PlaneModel<T>, StudyError> {
+    let good = model.a.iter().chain(&model.b).all(|x| x.re().is_finite());
     if good { Ok(model) } else { Err(StudyError::NotFinite { plane: model.plane }) }
 }
 

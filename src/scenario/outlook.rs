@@ -45,25 +45,10 @@ impl Scenario {
         Some(RowSensitivity { key: parameter.key, change, modes, strengths })
     }
 
-    /// ∂A/∂p of the studied plane; `None` where the parameter or the model is missing.
-    ///
-    /// A depends on a coefficient, a derivative or an entry of its own by at most a fraction of low degree, on a knob smoothly;
-    /// two central differences with Richardson's extrapolation leave an error of the fourth order in a step of a thousandth of
-    /// the slider: below 1e-9 of the entry.
+    /// ∂A/∂p of the studied plane, exactly; `None` where the parameter or the model is missing, or where the parameter can't be
+    /// moved.
     pub fn matrix_rate(&self, parameter: &Parameter) -> Option<Matrix4<f64>> {
-        let p = parameter.applies(self).then(|| parameter.get(self))?;
-        let range = parameter.range(self);
-        let step = 1e-3 * (range.end() - range.start());
-        let at = |x: f64| self.matrix_at(parameter, x);
-        // D(h) = (A(p + h) − A(p − h))/2h,  ∂A/∂p = (4 D(h/2) − D(h))/3
-        let central = |h: f64| Some((at(p + h)? - at(p - h)?) / (2.0 * h));
-        let both_sides = || Some((central(0.5 * step)? * 4.0 - central(step)?) / 3.0);
-        // At the end of what can be flown there is one side only: (−11 A₀ + 18 A₁ − 9 A₂ + 2 A₃)/6h
-        let one_side = |h: f64| {
-            let ahead = at(p + h)? * 18.0 - at(p + 2.0 * h)? * 9.0 + at(p + 3.0 * h)? * 2.0;
-            Some((ahead - at(p)? * 11.0) / (6.0 * h))
-        };
-        both_sides().or_else(|| one_side(step)).or_else(|| one_side(-step))
+        parameter.matrix_rate(&self.edited, self.plane)
     }
 
     /// A of the studied plane with one parameter at another value.

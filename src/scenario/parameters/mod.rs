@@ -6,6 +6,7 @@ mod dimensional;
 mod disturbance;
 mod knobs;
 mod matrix;
+mod rate;
 
 use std::ops::RangeInclusive;
 
