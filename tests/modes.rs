@@ -127,6 +127,24 @@ fn without_speed_stability_the_static_limit_is_pitch_stiffness_zero() {
     }
 }
 
+/// The neutral point is where det A passes through zero: with constant thrust det A = g Zu Mw, which is zero with Cm_α.
+#[test]
+fn with_the_centre_of_gravity_on_the_neutral_point_static_stability_is_neutral() {
+    let margins = analysis(aircraft("navion")).margins.expect("coefficients");
+    close(margins.static_margin, 0.683 / 4.44, 1e-12);
+    assert!(margins.manoeuvre_margin > margins.static_margin, "pitch damping helps");
+    let cg = eigenwing::scenario::Parameter::find("cg").expect("a row");
+    for (shift, stable) in [(0.99, true), (1.01, false)] {
+        let mut scenario = Scenario::new(aircraft("navion").into());
+        cg.set(&mut scenario, shift * margins.static_margin);
+        let analysis = scenario.analyse().expect("an analysis");
+        let plane = analysis.longitudinal.expect("longitudinal data").expect("a plane analysed");
+        assert_eq!(plane.static_stability.determinant > 0.0, stable, "{shift}");
+        let left = analysis.margins.expect("coefficients").static_margin;
+        close(left, (1.0 - shift) * margins.static_margin, 1e-12);
+    }
+}
+
 #[test]
 fn a_model_without_a_trim_speed_is_an_error_with_a_sentence() {
     for speed in [0.0, -1.0, f64::NAN, f64::INFINITY] {

@@ -38,6 +38,8 @@ fn of_analysis(analysis: &Analysis) -> Value {
     json!({
         "longitudinal": of(Plane::Longitudinal),
         "lateral": of(Plane::Lateral),
+        "static_margin": analysis.margins.map(|margins| margins.static_margin),
+        "manoeuvre_margin": analysis.margins.map(|margins| margins.manoeuvre_margin),
         "gravity_is_plausible": analysis.gravity.map(|gravity| gravity.is_plausible()),
         "response": analysis.motion.as_ref().map(of_motion),
     })

@@ -4,7 +4,7 @@ use nalgebra::Vector4;
 use thiserror::Error;
 
 use super::approximations::{Approximation, approximations};
-use super::edits::{Edited, gust_column};
+use super::edits::{Edited, Offsets, gust_column};
 use super::eigen::EigenError;
 use super::handling_qualities::{Verdict, handling_qualities};
 use super::inputs::Input;
@@ -13,8 +13,10 @@ use super::modes::{DynamicStability, Mode, modes};
 use super::plane::{Plane, PlaneModel};
 use super::response::{Response, TimeGrid, respond};
 use super::states::Longitudinal::{Theta, U};
-use super::static_stability::{PlaneStaticStability, plane_static_stability};
-use super::study::{Models, StudyError};
+use super::static_stability::{
+    PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,
+};
+use super::study::{Derived, Models, Study, StudyError};
 
 /// Standard acceleration of free fall g \[m/s²\] (CGPM 1901).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -88,6 +90,15 @@ pub struct PlaneAnalysis {
     pub levels: Vec<Verdict>,
 }
 
+/// Margins of longitudinal static stability, in mean chords.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margins {
+    /// Static margin H_n = −Cm_α/C_Lα: the neutral point behind the centre of gravity.
+    pub static_margin: f64,
+    /// Manoeuvre margin H_m: the manoeuvre point behind the centre of gravity.
+    pub manoeuvre_margin: f64,
+}
+
 /// The motion in an experiment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
@@ -108,6 +119,8 @@ pub struct Analysis {
     pub longitudinal: Option<Result<PlaneAnalysis, AnalysisError>>,
     /// Lateral–directional motion, likewise.
     pub lateral: Option<Result<PlaneAnalysis, AnalysisError>>,
+    /// How far the neutral and the manoeuvre point lie behind the centre of gravity, where coefficients say so.
+    pub margins: Option<Margins>,
     /// Gravity beside speed, to catch mixed units; of the longitudinal model.
     pub gravity: Option<GravityCheck>,
     /// The motion in the experiment, where its plane has a model.
@@ -160,6 +173,7 @@ pub fn analyse(
     Ok(Analysis {
         longitudinal: plane(longitudinal, Plane::Longitudinal),
         lateral: plane(lateral, Plane::Lateral),
+        margins: margins(edited),
         gravity,
         motion,
     })
@@ -222,6 +236,23 @@ fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {
         (DynamicStability::Neutral, _) | (_, DynamicStability::Neutral) => DynamicStability::Neutral,
         (DynamicStability::Stable, DynamicStability::Stable) => DynamicStability::Stable,
     })
+}
+
+/// Margins of an aircraft given by coefficients, unless its derivatives have been edited apart from them.
+fn margins(edited: &Edited) -> Option<Margins> {
+    let Study::Coefficients(study) = &edited.study else { return None };
+    let untouched = Offsets::default();
+    if edited.offsets.longitudinal != untouched.longitudinal
+        || edited.offsets.longitudinal_matrices != untouched.longitudinal_matrices
+    {
+        return None;
+    }
+    let Derived { flight, airframe, coefficients, .. } = study.derive().ok()?;
+    let c = coefficients.longitudinal;
+    let static_margin = static_margin(c.cm_alpha, c.cl_alpha)?;
+    let manoeuvre_margin =
+        manoeuvre_margin(static_margin, c.cm_q, flight.density, airframe.s, airframe.c, airframe.mass)?;
+    Some(Margins { static_margin, manoeuvre_margin })
 }
 
 fn gravity_check(model: &PlaneModel) -> Option<GravityCheck> {

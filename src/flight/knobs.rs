@@ -237,11 +237,6 @@ fn within<T: Real>(what: &'static str, value: T, limit: f64, expected: &'static 
     if value.abs() <= limit { Ok(value) } else { Err(KnobError::Range { what, expected, value: value.re() }) }
 }
 
-/// Neutral point aft of the reference centre of gravity, in mean chords: h_n − h = −Cm_α/C_Lα (Etkin & Reid §2.3).
-pub fn static_margin(c: &Coefficients) -> f64 {
-    -c.longitudinal.cm_alpha / c.longitudinal.cl_alpha
-}
-
 /// Everything about a centre of gravity `shift` mean chords further aft.
 ///
 /// A force at the old centre acts Δx ahead of the new one: Cm′ = Cm + C_L Δx/c̄ and Cn′ = Cn + CY Δx/b. Turning about the new

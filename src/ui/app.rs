@@ -351,7 +351,7 @@ impl App {
             problem_ui(ui, self.memo.followed(), self.scenario.plane);
             return None;
         };
-        verdicts_ui(ui, plane, self.scenario.aircraft.length_unit);
+        verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
         let warning = units_warning(analysis)?;
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
         let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;

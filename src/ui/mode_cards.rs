@@ -7,7 +7,7 @@ use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
-use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::handling_qualities::{Level, Verdict};
 use crate::flight::mil_f_8785c::Criterion;
 use crate::flight::modes::{DynamicStability, Mode};
@@ -18,7 +18,7 @@ use crate::number::significant;
 use crate::scenario::Dimension;
 
 /// The verdicts: dynamic, then static, each with its numbers.
-pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, length: LengthUnit) {
+pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
     let dynamic = match plane.dynamic_stability {
         DynamicStability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
         DynamicStability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
@@ -45,7 +45,14 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, length: LengthUnit) {
         format!("{} {}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
     };
     let stiffnesses = match stiffness {
-        PlaneStiffness::Longitudinal { m_w, .. } => format!("pitch stiffness {}", shown(m_w)),
+        PlaneStiffness::Longitudinal { m_w, .. } => {
+            let margins = margins.map_or_else(String::new, |margins| {
+                let [neutral, manoeuvre] = [margins.static_margin, margins.manoeuvre_margin];
+                let percent = |x: f64| format!("{} %", significant(100.0 * x, 3));
+                format!(", static margin {}, manoeuvre margin {}", percent(neutral), percent(manoeuvre))
+            });
+            format!("pitch stiffness {}{margins}", shown(m_w))
+        }
         PlaneStiffness::Lateral { n_v, l_v, .. } => {
             format!("weathercock stability {}, dihedral effect {}", shown(n_v), shown(l_v))
         }
