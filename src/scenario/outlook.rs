@@ -6,6 +6,7 @@ use super::Scenario;
 use super::parameters::{Page, Parameter, parameters};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::locus::{Locus, locus};
+use crate::flight::modes::Mode;
 use crate::flight::sensitivity::{Sensitivity, sensitivity};
 
 /// Points of a path: twice what a wide screen can tell apart.
@@ -27,17 +28,19 @@ pub struct RowSensitivity {
 impl Scenario {
     /// The sensitivities of every parameter on a page that the aircraft has.
     pub fn sensitivities(&self, analysis: &PlaneAnalysis, page: Page) -> Vec<RowSensitivity> {
-        let shown = |p: &&Parameter| p.page == page && p.plane.is_none_or(|plane| plane == self.plane);
-        parameters().filter(shown).filter_map(|p| self.sensitivity(analysis, p)).collect()
+        parameters()
+            .filter(|p| p.is_shown(self, page))
+            .filter_map(|p| self.sensitivity(analysis, p))
+            .collect()
     }
 
     fn sensitivity(&self, analysis: &PlaneAnalysis, parameter: &'static Parameter) -> Option<RowSensitivity> {
         let a_rate = self.matrix_rate(parameter)?;
         let range = parameter.range(self);
-        let change = (0.1 * parameter.get(self).abs()).max(0.05 * (range.end() - range.start()) / 3.0);
+        let change = (0.1 * parameter.get(self).abs()).max((range.end() - range.start()) / 60.0);
         let modes: Vec<Sensitivity> = analysis.modes.iter().map(|mode| sensitivity(mode, &a_rate)).collect();
         let fastest = analysis.modes.iter().map(|mode| mode.lambda.norm()).fold(f64::MIN_POSITIVE, f64::max);
-        let strength = |(mode, sensitivity): (&crate::flight::modes::Mode, &Sensitivity)| {
+        let strength = |(mode, sensitivity): (&Mode, &Sensitivity)| {
             let size = mode.lambda.norm().max(1e-3 * fastest);
             sensitivity.rate().map(|rate| (rate.lambda.norm() * change / size).min(f64::MAX))
         };

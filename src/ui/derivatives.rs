@@ -148,7 +148,7 @@ fn row_ui(
                 ui.label(RichText::new(unit).size(10.5).color(palette.weak));
             },
         );
-        bars_ui(ui, parameter, outlook, Vec2::new(bars_width, height));
+        bars_ui(ui, parameter, (in_si, unit), outlook, Vec2::new(bars_width, height));
         if parameter.is_edited(scenario) {
             let reset = ui.add(Button::new("↺").frame(false)).accessible_name(format!("Reset {name}"));
             if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
@@ -202,7 +202,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
 }
 
 /// A bar a mode: how strongly ten per cent of this parameter move it. The tallest stands for a tenth of |λ| and more.
-fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2) {
+fn bars_ui(ui: &mut Ui, parameter: &Parameter, (in_si, unit): (f64, &str), outlook: Outlook<'_>, size: Vec2) {
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let Some(row) = outlook.sensitivities.iter().find(|row| row.key == parameter.key) else { return };
     let palette = Palette::of(ui);
@@ -232,7 +232,8 @@ fn bars_ui(ui: &mut Ui, parameter: &Parameter, outlook: Outlook<'_>, size: Vec2)
     if words.is_empty() {
         words.push("moves no pole".to_owned());
     }
-    response.on_hover_text(format!("Ten per cent more of this\n{}", words.join("\n")));
+    let more = significant(row.change / in_si, 2);
+    response.on_hover_text(format!("{more} {unit} more of this:\n{}", words.join("\n")));
 }
 
 /// What a change of the parameter does to a mode, to first order.
