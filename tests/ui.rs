@@ -271,6 +271,25 @@ fn on_a_phone_the_pole_map_stays_with_each_pane() {
     assert!(harness.query_all_by_role(Role::Slider).count() > 5);
 }
 
+/// Nothing that can be pressed or moved reaches beyond the sides of the screen.
+#[test]
+fn every_control_is_on_the_screen() {
+    for size in [WIDE, TABLET, PHONE] {
+        let mut harness = page(size);
+        choose(&mut harness, "Aircraft", "flight condition 8");
+        harness.get_by_label_contains("Pin this state").click();
+        harness.run();
+        assert_eq!(harness.query_all_by_label("Undo").count(), 1, "{size}");
+        for role in [Role::Button, Role::Slider, Role::ComboBox, Role::TextInput] {
+            for node in harness.query_all_by_role(role) {
+                let rect = node.rect();
+                let label = node.accesskit_node().label().unwrap_or_default();
+                assert!(rect.left() >= 0.0 && rect.right() <= size.x, "{size}: {label} at {rect}");
+            }
+        }
+    }
+}
+
 #[test]
 fn poles_are_described_in_words() {
     let harness = page(WIDE);

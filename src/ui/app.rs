@@ -158,6 +158,7 @@ impl App {
                             self.history.has_redo(&self.scenario),
                         ),
                         narrow: phone,
+                        roomy: width >= TABLET,
                     },
                 )
             })

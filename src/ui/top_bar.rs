@@ -21,30 +21,40 @@ pub struct Bar<'a> {
     pub ghost: Option<&'a Ghost>,
     /// Whether there is something to undo and to redo.
     pub history: (bool, bool),
-    /// Whether there is little room.
+    /// Whether the bar needs two rows.
     pub narrow: bool,
+    /// Whether there is room for the flight condition and the name of the pinned state.
+    pub roomy: bool,
 }
 
 /// Draws the bar and gives what the person asked for.
 pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
-    let mut action = None;
-    ui.horizontal_wrapped(|ui| {
-        if !bar.narrow {
-            theme::heading(ui, RichText::new("Eigenwing").font(theme::semibold(17.0)), 1);
-            ui.add_space(6.0);
-        }
-        action = aircraft_ui(ui, bar);
-        status_ui(ui, bar.scenario);
-        action = plane_ui(ui, bar).or(action.take());
-        let right = if bar.narrow {
-            Layout::left_to_right(Align::Center)
-        } else {
-            Layout::right_to_left(Align::Center)
+    if bar.narrow {
+        let first = |ui: &mut Ui| {
+            let action = aircraft_ui(ui, bar);
+            status_ui(ui, bar.scenario);
+            action
         };
-        let tools = |ui: &mut Ui| tools_ui(ui, bar);
-        action = ui.with_layout(right, tools).inner.or(action.take());
-    });
-    action
+        let second = |ui: &mut Ui| {
+            let action = plane_ui(ui, bar);
+            tools_from_the_right(ui, bar).or(action)
+        };
+        let action = ui.horizontal(first).inner;
+        return ui.horizontal(second).inner.or(action);
+    }
+    let row = |ui: &mut Ui| {
+        theme::heading(ui, RichText::new("Eigenwing").font(theme::semibold(17.0)), 1);
+        ui.add_space(6.0);
+        let action = aircraft_ui(ui, bar);
+        status_ui(ui, bar.scenario);
+        let action = plane_ui(ui, bar).or(action);
+        tools_from_the_right(ui, bar).or(action)
+    };
+    ui.horizontal(row).inner
+}
+
+fn tools_from_the_right(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| tools_ui(ui, bar)).inner
 }
 
 fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
@@ -52,12 +62,12 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let now = &bar.scenario.aircraft;
     let chooser = ComboBox::from_id_salt("aircraft")
         .height(560.0)
-        .width(if bar.narrow { 190.0 } else { 330.0 })
+        .width(if bar.roomy { 330.0 } else { 190.0 })
         .truncate()
-        .selected_text(if bar.narrow {
-            now.name.clone()
-        } else {
+        .selected_text(if bar.roomy {
             format!("{} · {}", now.name, now.condition)
+        } else {
+            now.name.clone()
         });
     let chooser = chooser.show_ui(ui, |ui| {
         for aircraft in bar.aircraft {
@@ -94,14 +104,11 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     bar.scenario.aircraft.lateral_notes.as_ref()?;
     let words = if bar.narrow { ["Long.", "Lateral"] } else { ["Longitudinal", "Lateral–directional"] };
-    // In a row of its own, so that the two stay together where the bar wraps.
-    ui.horizontal(|ui| {
-        for (plane, text) in [Plane::Longitudinal, Plane::Lateral].into_iter().zip(words) {
-            if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
-                action = Some(Action::Turn(plane));
-            }
+    for (plane, text) in [Plane::Longitudinal, Plane::Lateral].into_iter().zip(words) {
+        if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
+            action = Some(Action::Turn(plane));
         }
-    });
+    }
     action
 }
 
@@ -127,7 +134,7 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         None => tool("Pin ghost", "Pin this state, to compare what comes next with it", true, Action::Pin),
     }
     if let Some(ghost) = bar.ghost
-        && !bar.narrow
+        && bar.roomy
     {
         let palette = Palette::of(ui);
         ui.label(
