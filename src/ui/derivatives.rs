@@ -17,7 +17,8 @@ const SYMBOL_WIDTH: f32 = 58.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
 const BAR_WIDTH: f32 = 5.5;
-const HELP_HEIGHT: f32 = 132.0;
+/// Room for eight lines; a longer card scrolls.
+const HELP_HEIGHT: f32 = 168.0;
 
 /// How the rows are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -261,8 +262,12 @@ pub fn help_ui(ui: &mut Ui, key: &str) {
         egui::TextFormat::simple(theme::semibold(12.5), palette.text),
     );
     ui.label(title);
-    for text in [parameter.meaning, parameter.sign] {
-        ui.label(RichText::new(text).font(theme::small()).color(palette.weak));
-    }
-    ui.label(RichText::new(format!("From: {}", parameter.origin)).font(theme::small()).color(palette.weak));
+    ScrollArea::vertical().id_salt("help").auto_shrink(false).show(ui, |ui| {
+        for text in [parameter.meaning, parameter.sign] {
+            ui.label(RichText::new(text).font(theme::small()).color(palette.weak));
+        }
+        ui.label(
+            RichText::new(format!("From: {}", parameter.origin)).font(theme::small()).color(palette.weak),
+        );
+    });
 }
