@@ -21,7 +21,7 @@ pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) ->
             Plane::Longitudinal => "longitudinal",
             Plane::Lateral => "lateral",
         },
-        "disturbance": scenario.disturbance.kind(scenario.plane).text(),
+        "disturbance": scenario.disturbance.choice(scenario.plane).text(),
         "parameters": parameters,
         "analysis": match analysis {
             Ok(analysis) => of_analysis(analysis),

@@ -23,6 +23,8 @@ pub enum Dimension {
     Angle,
     /// Angle over time, rad/s inside and deg/s on screen.
     AngularRate,
+    /// Angular frequency, rad/s always.
+    Frequency,
     /// Seconds.
     Time,
     /// No unit.
@@ -45,6 +47,7 @@ impl Dimension {
             | Self::PerSecondSquared
             | Self::AirSpeed
             | Self::Time
+            | Self::Frequency
             | Self::Number
             | Self::PerRadian
             | Self::Length => 1.0,
@@ -68,6 +71,7 @@ impl Dimension {
             (Self::PerLengthSecond, LengthUnit::HundredFeet) => "1/(100 ft·s)",
             (Self::Angle, _) => "deg",
             (Self::AngularRate, _) => "deg/s",
+            (Self::Frequency, _) => "rad/s",
             (Self::Time, _) => "s",
             (Self::Number, _) => "",
             (Self::PerRadian, _) => "1/rad",

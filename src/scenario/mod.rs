@@ -2,6 +2,7 @@
 
 mod dimension;
 mod disturbance;
+mod experiment;
 mod outlook;
 pub mod parameters;
 
@@ -14,7 +15,7 @@ use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError, analyse};
 
 pub use dimension::Dimension;
-pub use disturbance::{Disturbance, DisturbanceKind, START};
+pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
 
@@ -65,6 +66,6 @@ impl Scenario {
 
     /// Everything that follows from it.
     pub fn analyse(&self) -> Result<Analysis, AnalysisError> {
-        analyse(&self.edited, self.task(), &self.disturbance.experiment(self.plane))
+        analyse(&self.edited, self.task(), &self.experiment())
     }
 }
