@@ -231,15 +231,20 @@ fn analyse_plane(model: PlaneModel, task: Option<Task>) -> Result<PlaneAnalysis,
 }
 
 fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -> Motion {
-    let forced = forced(edited, disturbed, experiment);
+    let PlaneAnalysis { model, modes, .. } = disturbed;
+    let forced = forced(edited, model, &experiment.inputs, experiment.start, modes);
     let response = respond(&forced, experiment.grid);
-    let model = disturbed.model.clone();
-    Motion { small_until: small_until(&model, &response), model, forced, response }
+    Motion { small_until: small_until(model, &response), model: model.clone(), forced, response }
 }
 
-/// The equations of a plane with all that drives them in an experiment.
-fn forced(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -> Forced {
-    let model = &disturbed.model;
+/// The equations of a plane with what drives them; `modes` are those of the model, of which one may be the start.
+pub fn forced(
+    edited: &Edited,
+    model: &PlaneModel,
+    inputs: &[(Channel, Input)],
+    start: Start,
+    modes: &[Mode],
+) -> Forced {
     let plane = model.plane;
     let forcing = |(channel, input): &(Channel, Input)| {
         let input = input.clone();
@@ -256,25 +261,24 @@ fn forced(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -
     Forced {
         a: model.a,
         path: path_rates(model),
-        forcings: experiment.inputs.iter().map(forcing).collect(),
-        start: start(disturbed, experiment.start),
+        forcings: inputs.iter().map(forcing).collect(),
+        start: beginning(model, start, modes),
     }
 }
 
-fn start(disturbed: &PlaneAnalysis, start: Start) -> Vector4<f64> {
+fn beginning(model: &PlaneModel, start: Start, modes: &[Mode]) -> Vector4<f64> {
     match start {
         Start::Rest => Vector4::zeros(),
         Start::Released([first, second, third, fourth]) => {
-            let speed = disturbed.model.trim.speed;
-            match disturbed.model.plane {
+            let speed = model.trim.speed;
+            match model.plane {
                 Plane::Longitudinal => Vector4::new(first, second * speed, third, fourth),
                 Plane::Lateral => Vector4::new(first * speed, second, third, fourth),
             }
         }
         Start::Mode { index, amplitude } => {
-            let modes = &disturbed.modes;
             let mode = modes.get(index).or(modes.last());
-            mode.map_or_else(Vector4::zeros, |mode| single_mode(mode, angles(&disturbed.model), amplitude))
+            mode.map_or_else(Vector4::zeros, |mode| single_mode(mode, angles(model), amplitude))
         }
     }
 }

@@ -23,6 +23,8 @@ pub enum Dimension {
     Angle,
     /// Angle over time, rad/s inside and deg/s on screen.
     AngularRate,
+    /// Load factor, in units of g.
+    Load,
     /// Angular frequency, rad/s always.
     Frequency,
     /// Seconds.
@@ -48,6 +50,7 @@ impl Dimension {
             | Self::AirSpeed
             | Self::Time
             | Self::Frequency
+            | Self::Load
             | Self::Number
             | Self::PerRadian
             | Self::Length => 1.0,
@@ -72,6 +75,7 @@ impl Dimension {
             (Self::Angle, _) => "deg",
             (Self::AngularRate, _) => "deg/s",
             (Self::Frequency, _) => "rad/s",
+            (Self::Load, _) => "g",
             (Self::Time, _) => "s",
             (Self::Number, _) => "",
             (Self::PerRadian, _) => "1/rad",

@@ -5,6 +5,7 @@ mod disturbance;
 mod experiment;
 mod outlook;
 pub mod parameters;
+mod quantity;
 
 use std::sync::Arc;
 
@@ -18,6 +19,7 @@ pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
+pub use quantity::Quantity;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
 #[derive(Clone, Debug, PartialEq)]
