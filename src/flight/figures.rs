@@ -70,7 +70,12 @@ pub fn steady_output(
         return None;
     }
     let steady = steady_state(&forced.a, &forced.forcings.get(input)?.column)?;
-    let value = (row.states.dot(&steady) + row.inputs.get(input)?.0) * amplitude;
+    let parts = row.states.component_mul(&steady);
+    let direct = row.inputs.get(input)?.0;
+    let value = parts.sum() + direct;
+    // What is left of parts that cancel is rounding.
+    let size = parts.iter().fold(direct.abs(), |size, part| size.max(part.abs()));
+    let value = if value.abs() <= 1e-12 * size { 0.0 } else { value * amplitude };
     value.is_finite().then_some(value)
 }
 

@@ -169,7 +169,7 @@ fn draw(
     let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x) };
     let vertical = marks(&y, rect.height(), APART.y);
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
-    let id = Id::unique((picture.symbol, picture.against.0));
+    let id = Id::unique((picture.symbol, picture.unit, picture.against.0));
     let plot = ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
         theme::still_plot(id, rect).show(ui, |plot| {
             plot.set_plot_bounds_x(x);
