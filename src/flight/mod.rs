@@ -51,5 +51,6 @@ pub mod sensitivity;
 pub mod states;
 pub mod static_stability;
 pub mod study;
+pub mod turbulence;
 
 pub use analysis::{Analysis, AnalysisError, Channel, Experiment, analyse};
