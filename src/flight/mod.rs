@@ -57,5 +57,6 @@ pub mod sensitivity;
 pub mod states;
 pub mod static_stability;
 pub mod study;
+pub mod turbulence;
 
 pub use analysis::{Analysis, AnalysisError, Channel, Experiment, Start, analyse};
