@@ -278,3 +278,36 @@ fn thirty_degrees_of_bank_come_when_the_curve_crosses_them() {
     assert!(bank[k].abs() < limit && bank[k + 1].abs() >= limit, "{} {}", bank[k], bank[k + 1]);
     assert_eq!(time_to_bank(&[0.0, 0.1, 0.2], 1.0, 0.0), None);
 }
+
+/// The air doesn't change when more of it is shown, and the same number is always the same air.
+#[test]
+fn turbulence_is_the_same_air_however_long_it_is_watched() {
+    let mut scenario = scenario("b747-fc9", Plane::Longitudinal, Source::Turbulence, Shape::Step);
+    let (short, _) = motion(&scenario);
+    scenario.disturbance.sizes.time = 120.0;
+    let (long, _) = motion(&scenario);
+    let (short, long) = (short.values(Output::AngleOfAttack), long.values(Output::AngleOfAttack));
+    assert_near(&long[..short.len()], &short, 1e-9, "the first minute");
+    scenario.disturbance.sizes.seed = 2.0;
+    assert!(motion(&scenario).0.values(Output::AngleOfAttack)[..600] != long[..600]);
+}
+
+/// Linear: twice the air is twice the motion, and the factor on all disturbances is such a factor.
+#[test]
+fn twice_the_disturbance_is_twice_the_motion() {
+    for (plane, sources) in
+        [(Plane::Longitudinal, Source::of(Plane::Longitudinal)), (Plane::Lateral, Source::of(Plane::Lateral))]
+    {
+        for &source in sources {
+            let mut scenario = scenario("a4d", plane, source, Shape::Step);
+            scenario.disturbance.choice_mut(plane).control_shape = Shape::Doublet;
+            let (once, _) = motion(&scenario);
+            scenario.disturbance.sizes.times = 2.0;
+            let (twice, _) = motion(&scenario);
+            for &output in Output::of(plane) {
+                let doubled: Vec<f64> = once.values(output).iter().map(|x| 2.0 * x).collect();
+                assert_near(&twice.values(output), &doubled, 1e-9, source.text());
+            }
+        }
+    }
+}

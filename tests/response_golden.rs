@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use eigenwing::flight::inputs::Input;
-use eigenwing::flight::response::{Response, TimeGrid, respond};
+use eigenwing::flight::response::{Forced, Forcing, PathRates, Response, TimeGrid, respond};
 use nalgebra::{Matrix4, Vector4};
 use serde::Deserialize;
 
@@ -20,6 +20,7 @@ struct Model {
     plane: String,
     a: [[f64; 4]; 4],
     columns: BTreeMap<String, [f64; 4]>,
+    rate_columns: BTreeMap<String, [f64; 4]>,
     grid: Grid,
     samples: Vec<usize>,
     runs: Vec<Run>,
@@ -50,17 +51,33 @@ struct InputData {
     #[serde(default)]
     start: f64,
     duration: Option<f64>,
+    #[serde(default)]
+    omega: f64,
+    #[serde(default)]
+    omega_end: f64,
+    #[serde(default)]
+    dt: f64,
+    #[serde(default)]
+    values: Vec<f64>,
 }
 
 impl InputData {
-    /// The input itself, `None` for a kind that is not yet offered.
+    /// The input itself; none where the motion is only let go.
     fn input(&self) -> Option<Input> {
-        let &Self { amplitude, start, duration, .. } = self;
-        match (self.kind.as_str(), duration) {
-            ("step", _) => Some(Input::Step { amplitude, start }),
-            ("pulse", Some(duration)) => Some(Input::Pulse { amplitude, start, duration }),
-            _ => None,
-        }
+        let &Self { amplitude, start, omega: frequency, omega_end, dt, .. } = self;
+        let lasting = self.duration.unwrap_or(f64::INFINITY);
+        Some(match self.kind.as_str() {
+            "step" => Input::Step { amplitude, start },
+            "pulse" => Input::Pulse { amplitude, start, duration: lasting },
+            "doublet" => Input::Doublet { amplitude, start, duration: lasting },
+            "3-2-1-1" => Input::ThreeTwoOneOne { amplitude, start, unit: lasting },
+            "sine" => Input::Sine { amplitude, start, duration: lasting, frequency },
+            "sweep" => Input::Sweep { amplitude, start, duration: lasting, from: frequency, to: omega_end },
+            "one_minus_cosine" => Input::OneMinusCosine { amplitude, start, duration: lasting },
+            "samples" => Input::Samples { dt, values: self.values.as_slice().into() },
+            "release" | "mode" => return None,
+            other => panic!("an unknown kind of input, {other}"),
+        })
     }
 }
 
@@ -68,16 +85,19 @@ fn file() -> File {
     serde_json::from_str(include_str!("data/responses.json")).expect("the data file reads")
 }
 
-/// The motion of a run, `None` for what is not yet offered.
-fn response(model: &Model, run: &Run) -> Option<Response> {
-    if run.rate || run.x0.is_some() {
-        return None;
-    }
-    let input = run.input.input()?;
-    let column = run.input.column.as_ref().and_then(|name| model.columns.get(name)).expect("a column");
-    let a = Matrix4::from_fn(|i, j| model.a[i][j]);
-    let grid = TimeGrid { duration: model.grid.duration, steps: model.grid.steps };
-    Some(respond(&a, &Vector4::from(*column), &input, grid))
+fn response(model: &Model, run: &Run) -> Response {
+    let forcing = run.input.input().map(|input| {
+        let name = run.input.column.as_ref().expect("a column");
+        let rate_column = if run.rate { model.rate_columns[name].into() } else { Vector4::zeros() };
+        Forcing { rate_column, ..Forcing::new(model.columns[name].into(), input) }
+    });
+    let forced = Forced {
+        a: Matrix4::from_fn(|i, j| model.a[i][j]),
+        path: PathRates::default(),
+        forcings: forcing.into_iter().collect(),
+        start: run.x0.unwrap_or_default().into(),
+    };
+    respond(&forced, TimeGrid { duration: model.grid.duration, steps: model.grid.steps })
 }
 
 /// How far a response is off, of the largest value that the state has in the run.
@@ -99,14 +119,17 @@ fn responses_are_those_of_python_control() {
     let mut compared = BTreeMap::new();
     for model in &file().models {
         for run in &model.runs {
-            let Some(response) = response(model, run) else { continue };
-            let off = disagreement(model, run, &response);
+            let off = disagreement(model, run, &response(model, run));
             assert!(off <= 1e-8, "{} {}, {:?}: off by {off:e}", model.id, model.plane, run.input);
             *compared.entry(run.input.kind.clone()).or_insert(0) += 1;
         }
     }
-    // Five aircraft, two planes, three columns.
-    assert_eq!(compared, BTreeMap::from([("pulse".to_owned(), 30), ("step".to_owned(), 30)]));
+    println!("{compared:?}");
+    assert_eq!(compared.values().sum::<usize>(), 316);
+    assert_eq!(compared.len(), 10, "{compared:?}");
+    for (kind, runs) in &compared {
+        assert!(*runs >= 10, "{kind}: only {runs}");
+    }
 }
 
 #[test]
