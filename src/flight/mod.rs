@@ -22,6 +22,7 @@
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
 //! cannot show.
 
+pub mod aerodynamics;
 pub mod analysis;
 pub mod approximations;
 pub mod atmosphere;
@@ -31,8 +32,10 @@ pub mod condition;
 pub mod derivatives;
 pub mod edits;
 pub mod eigen;
+pub mod flight_path;
 pub mod handling_qualities;
 pub mod inputs;
+mod integrator;
 pub mod inverse;
 pub mod knobs;
 mod least_change;
@@ -45,9 +48,11 @@ mod naming_longitudinal;
 pub mod plane;
 pub mod real;
 pub mod response;
+pub mod rigid_body;
 mod schur;
 pub mod second_order;
 pub mod sensitivity;
+pub mod six_dof;
 pub mod states;
 pub mod static_stability;
 pub mod study;
