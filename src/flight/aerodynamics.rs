@@ -182,7 +182,7 @@ impl CoefficientLoads {
     /// What the source's rounded C_L leaves of the weight over the mass, along x and z \[m/s²\]: up to 1.5 % of g (the
     /// Navion's 0.41 for 0.406). It is vertical in the trim, of constant size, and turns with the body, so that it is in
     /// no derivative.
-    fn remainder(&self) -> [f64; 2] {
+    pub fn remainder(&self) -> [f64; 2] {
         let (c, flight) = (&self.longitudinal, &self.flight);
         let lift = flight.dynamic_pressure * self.airframe.s / self.airframe.mass * c.cl;
         let (gamma0, g) = (flight.condition.gamma0, self.gravity);

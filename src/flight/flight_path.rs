@@ -1,7 +1,7 @@
 //! A nonlinear flight: what moves the aircraft, and where it goes until its model ends.
 //!
 //! Control and wind may jump or kink at given times, and the integration begins anew at each. Between them every step's
-//! error is kept below [`STEP_ERROR`](super::integrator::STEP_ERROR) of each number, and of its unit. The flight stops, with a sentence, at
+//! error is kept below [`STEP_ERROR`] of each number, and of its unit. The flight stops, with a sentence, at
 //! the moment it leaves the [`Limits`](super::six_dof::Limits) of the aerodynamic model.
 
 use std::fmt;
@@ -9,7 +9,7 @@ use std::fmt;
 use nalgebra::Vector4;
 
 use super::aerodynamics::Controls;
-use super::integrator::Integrator;
+use super::integrator::{Integrator, STEP_ERROR};
 use super::response::{CUT_LIMIT, MOST_STEPS, TimeGrid};
 use super::rigid_body::{Attitude, State};
 use super::six_dof::{Inputs, SixDof};
@@ -104,14 +104,13 @@ impl fmt::Display for Stop {
             Reason::AngleOfAttack(alpha) => write!(
                 f,
                 "at {time:.1} s the angle of attack is {:.1}° {} the trim’s, and beyond that this aircraft’s \
-                 coefficients mean nothing",
+                 data mean nothing",
                 alpha.to_degrees().abs(),
                 side(alpha)
             ),
             Reason::Sideslip(beta) => write!(
                 f,
-                "at {time:.1} s the sideslip is {:.1}° to the {}, and beyond that this aircraft’s coefficients mean \
-                 nothing",
+                "at {time:.1} s the sideslip is {:.1}° to the {}, and beyond that this aircraft’s data mean nothing",
                 beta.to_degrees().abs(),
                 if beta < 0.0 { "left" } else { "right" }
             ),
@@ -192,7 +191,7 @@ impl Flying<'_> {
         let inputs = |t: f64| inputs(excitation, t.clamp(start, end.next_down()));
         let rate = |t: f64, y: &[f64; 13]| aircraft.rate(&State::from_array(*y), &inputs(t)).to_array();
         let lost = |time: f64| Stop { time, reason: Reason::TooFast };
-        let mut integrator = Integrator::new(rate, start, end, &y).ok_or(lost(start))?;
+        let mut integrator = Integrator::new(rate, start, end, &y, STEP_ERROR).ok_or(lost(start))?;
         while !integrator.is_done() {
             let before = integrator.time();
             self.tried += 1;

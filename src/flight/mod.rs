@@ -35,7 +35,7 @@ pub mod eigen;
 pub mod flight_path;
 pub mod handling_qualities;
 pub mod inputs;
-mod integrator;
+pub mod integrator;
 pub mod inverse;
 pub mod knobs;
 mod least_change;
