@@ -59,6 +59,7 @@ pub struct Lag<T = f64> {
 }
 
 /// Loads about one trim.
+#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Aerodynamics {
     /// From coefficients.

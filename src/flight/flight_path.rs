@@ -267,8 +267,7 @@ fn reason(aircraft: &SixDof, y: &[f64; 13], inputs: &Inputs) -> Option<Reason> {
     if !(limits.alpha[0]..=limits.alpha[1]).contains(&alpha) {
         return Some(Reason::AngleOfAttack(alpha));
     }
-    // NaN is outside: nothing may go on from it.
-    if !(beta.abs() <= limits.beta) {
+    if !(-limits.beta..=limits.beta).contains(&beta) {
         return Some(Reason::Sideslip(beta));
     }
     let [p, _, r] = state.rates;

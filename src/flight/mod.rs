@@ -1,4 +1,4 @@
-//! The mathematics of small disturbances about steady flight: numbers in, numbers out.
+//! The mathematics of small disturbances about steady flight, and of large ones: numbers in, numbers out.
 //!
 //! # Conventions
 //!
@@ -17,6 +17,7 @@
 //! | *δt* | throttle: more thrust, as a fraction of the weight where a source says nothing of its engine |
 //! | *δr* | rudder \[rad\], trailing edge left positive; it turns the nose left, so N_δr < 0 |
 //! | *δa* | aileron \[rad\], in the sense of the source: see the sign of L_δa |
+//! | *ψ* | heading \[rad\], nose right positive |
 //! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
 //!
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view

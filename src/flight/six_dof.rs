@@ -282,7 +282,7 @@ impl SixDof {
             let left = self.unbalanced(y.map(Dual64::from)).map(|x| x.re);
             let residual = left.amax();
             // Beyond what is asked for, on to where rounding ends it.
-            if !(residual < best.residual) {
+            if residual.is_nan() || residual >= best.residual {
                 break;
             }
             let [alpha, elevator, thrust] = y.into();
