@@ -17,6 +17,9 @@ use super::six_dof::{Inputs, SixDof};
 /// Steps of integration beyond these are not tried.
 pub const MOST_INTEGRATION_STEPS: usize = 20_000;
 
+/// So far beyond a limit is not beyond it: a trim may stand on a limit, to rounding \[rad, or of the speed\].
+const ROUNDING: f64 = 1e-9;
+
 /// What moves an aircraft out of its trim.
 #[derive(Clone, Copy)]
 pub struct Excitation<'a> {
@@ -37,7 +40,7 @@ pub struct Excitation<'a> {
 pub struct FlightPath {
     /// Time between samples \[s\]; zero if there is only one.
     pub dt: f64,
-    /// The samples from t = 0, every number finite; fewer than asked for if the flight stopped.
+    /// The samples from t = 0, every number finite; fewer than asked for if the flight stopped, none if it could not begin.
     pub samples: Vec<Sample>,
     /// Where and why it stopped.
     pub stop: Option<Stop>,
@@ -90,7 +93,7 @@ pub enum Reason {
     Airspeed(f64),
     /// Out of the plane of symmetry, without lateral data.
     NoLateralData,
-    /// Too fast for [`MOST_INTEGRATION_STEPS`], or beyond all bounds.
+    /// Too fast for [`MOST_INTEGRATION_STEPS`], so stiff that the integrator gives up, or beyond all bounds.
     TooFast,
     /// A control or the wind is not a finite number.
     Input,
@@ -259,12 +262,13 @@ fn reason(aircraft: &SixDof, y: &[f64; 13], inputs: &Inputs) -> Option<Reason> {
         return Some(Reason::TooFast);
     }
     let state = State::from_array(*y);
-    let Airflow { alpha, beta, speed, side } = Airflow::of(aircraft, &state, inputs);
+    let Incidence { alpha, beta, speed, side } = Incidence::of(aircraft, &state, inputs);
     let limits = &aircraft.limits;
-    if !(limits.speed[0]..=limits.speed[1]).contains(&speed) {
+    let [slowest, fastest] = [limits.speed[0] * (1.0 - ROUNDING), limits.speed[1] * (1.0 + ROUNDING)];
+    if !(slowest..=fastest).contains(&speed) {
         return Some(limits.sound_speed.map_or(Reason::Airspeed(speed), |sound| Reason::Mach(speed / sound)));
     }
-    if !(limits.alpha[0]..=limits.alpha[1]).contains(&alpha) {
+    if !(limits.alpha[0] - ROUNDING..=limits.alpha[1] + ROUNDING).contains(&alpha) {
         return Some(Reason::AngleOfAttack(alpha));
     }
     if !(-limits.beta..=limits.beta).contains(&beta) {
@@ -289,14 +293,14 @@ fn first(mut good: f64, mut bad: f64, mut reason: impl FnMut(f64) -> Option<Reas
 }
 
 /// Motion through the air, as it is limited and shown.
-struct Airflow {
+struct Incidence {
     alpha: f64,
     beta: f64,
     speed: f64,
     side: f64,
 }
 
-impl Airflow {
+impl Incidence {
     fn of(aircraft: &SixDof, state: &State, inputs: &Inputs) -> Self {
         let [u, v, w] = aircraft.through_air(state, inputs.wind);
         let in_plane = u.hypot(w);
@@ -313,7 +317,7 @@ impl Airflow {
 fn sampled(aircraft: &SixDof, y: &[f64; 13], inputs: &Inputs) -> Option<Sample> {
     let state = State::from_array(*y);
     let (longitudinal, lateral) = aircraft.displacement(&state);
-    let Airflow { alpha, beta, speed, .. } = Airflow::of(aircraft, &state, inputs);
+    let Incidence { alpha, beta, speed, .. } = Incidence::of(aircraft, &state, inputs);
     let rate = aircraft.rate(&state, inputs);
     let [x, y, z] = aircraft.specific_force(&state, &rate);
     let (sin, cos) = aircraft.trim.alpha0.sin_cos();
