@@ -8,6 +8,7 @@ use eigenwing::flight::integrator::{Integrator, STEP_ERROR};
 use eigenwing::flight::response::TimeGrid;
 use eigenwing::flight::rigid_body::{Attitude, Inertia, State};
 use eigenwing::flight::six_dof::SixDof;
+use eigenwing::flight::study::Study;
 use nalgebra::{Vector3, Vector4};
 use proptest::prelude::*;
 use serde_json::Value;
@@ -218,16 +219,19 @@ fn torque_free_motion_is_scipys() {
     assert_rows("nose", noses, &golden["nose"], 2e-7);
 }
 
-fn navion() -> SixDof {
-    let aircraft = embedded_aircraft().0.into_iter().find(|one| one.key == "navion").expect("it ships");
-    SixDof::new(&Edited::new(aircraft.study)).expect("it flies")
-}
-
 /// Eight seconds with all controls and wind: the error is that of some hundred steps of 10⁻⁹ each, in m/s, rad/s and m.
-#[test]
-fn the_navions_flight_is_scipys() {
-    let golden = &golden()["navion"];
+fn assert_is_scipys(golden: &Value) {
     let number = |of: &Value| of.as_f64().expect("a number");
+    let aircraft = embedded_aircraft().0.into_iter().find(|one| one.key == "navion").expect("it ships");
+    let Study::Coefficients(mut study) = aircraft.study else { panic!("it starts from coefficients") };
+    study.coefficients.longitudinal.cl_alphadot = number(&golden["cl_alphadot"]);
+    study.airframe.thrust_exponent = number(&golden["thrust_exponent"]);
+    study.airframe.thrust_offset = number(&golden["thrust_offset"]);
+    let gamma0 = number(&golden["gamma0"]);
+    // The source's own C_L, 0.41, in the climb too.
+    study.reference.condition.gamma0 = gamma0;
+    study.condition.gamma0 = gamma0;
+    let flight = SixDof::new(&Edited::new(Study::Coefficients(study))).expect("it flies");
     let on = |t: f64, from: f64, name: &str| {
         if t >= from { number(&golden["controls"][name]) } else { 0.0 }
     };
@@ -246,7 +250,6 @@ fn the_navions_flight_is_scipys() {
         longitudinal: Vector4::zeros(),
         lateral: Vector4::zeros(),
     };
-    let flight = navion();
     let FlightPath { samples, stop, .. } = flight.fly(&excitation, TimeGrid { duration: 8.0, steps: 16 });
     assert_eq!(stop, None);
     let v = flight.trim.speed;
@@ -259,4 +262,15 @@ fn the_navions_flight_is_scipys() {
     assert_rows("position", samples.iter().map(|s| s.position), &golden["position"], 1e-5);
     let banked = samples.iter().map(|s| s.euler[0].abs()).fold(0.0, f64::max);
     assert!(banked > 0.2, "it is no small disturbance, {banked}");
+}
+
+#[test]
+fn the_navions_flight_is_scipys() {
+    assert_is_scipys(&golden()["navion"]);
+}
+
+/// Climbing behind a propeller on a low thrust line, with lift that goes with α̇.
+#[test]
+fn its_flight_with_another_engine_and_late_downwash_is_scipys() {
+    assert_is_scipys(&golden()["navion_otherwise"]);
 }

@@ -42,9 +42,10 @@ def torque_free():
     }
 
 
-def navion():
-    """Navion of NASA CR-96008, level at sea level: elevator and rudder held from 1 s, aileron from 2 s, air from the left
-    and rising from 3 s, seen in Earth axes."""
+def navion(cl_alphadot=0.0, exponent=0.0, offset=0.0, gamma=0.0):
+    """Navion of NASA CR-96008 at sea level: elevator and rudder held from 1 s, aileron from 2 s, air from the left
+    and rising from 3 s, along the axes of the trim. With other lift by the rate of alpha, thrust as V to an exponent, on a
+    line so many feet below the centre of gravity, climbing at gamma."""
     g, rho, v0 = 32.174, 0.002378, 176.0
     mass, s, b, c = 2750.0 / g, 184.0, 33.4, 5.7
     inertia = np.diag([1048.0, 3000.0, 3530.0])
@@ -52,15 +53,16 @@ def navion():
     controls = {"elevator": -0.02, "rudder": 0.03, "aileron": -0.03}
     wind_si = [0.0, 2.0, -1.5]
     q0s = 0.5 * rho * v0**2 * s
-    thrust = q0s * cd0
-    # the source's C_L carries 1 % more than the weight: the rest is a force fixed in the body
-    spare = q0s * cl0 - mass * g
+    c_t = cd0 + cl0 * np.tan(gamma)
+    # the source's C_L carries 1 % more than the weight: the rest is a force fixed in the body, vertical in the trim
+    spare = mass * g * np.cos(gamma) - q0s * cl0
+    trim = np.array([[np.cos(gamma), 0, np.sin(gamma)], [0, 1, 0], [-np.sin(gamma), 0, np.cos(gamma)]])
 
     def rate(t, y, on):
         velocity, w, turn = y[:3], y[3:6], y[6:15].reshape(3, 3)
         de, dr = (controls["elevator"], controls["rudder"]) if on[0] else (0.0, 0.0)
         da = controls["aileron"] if on[1] else 0.0
-        wind = np.array(wind_si) / FT if on[2] else np.zeros(3)
+        wind = trim @ wind_si / FT if on[2] else np.zeros(3)
         air = velocity - turn.T @ wind
         speed = np.linalg.norm(air)
         alpha = np.arctan2(air[2], air[0])
@@ -68,22 +70,32 @@ def navion():
         qs = 0.5 * rho * speed**2 * s
         p, q, r = w * np.array([b, c, b]) / (2 * speed)
         lift_alpha = cla * alpha
-        cl = cl0 + lift_alpha + 0.355 * de
+        thrust = q0s * c_t * (speed / v0) ** exponent
         cd = cd0 + cda / (2 * cl0 * cla) * ((cl0 + lift_alpha) ** 2 - cl0**2)
         side = -0.564 * beta + 0.157 * dr
         roll = -0.074 * beta - 0.41 * p + (0.107 + lift_alpha / 4) * r + 0.1342 * da + 0.0118 * dr
         yaw = 0.0701 * beta + (-0.0575 - lift_alpha / 8) * p - 0.125 * r - 0.00346 * da - 0.0717 * dr
         ca, sa = np.cos(alpha), np.sin(alpha)
-        force = qs * np.array([-cd * ca + cl * sa, side, -cd * sa - cl * ca]) + [thrust, 0, spare]
-        acceleration = force / mass + turn.T @ [0, 0, g] - np.cross(w, velocity)
-        # C_L,alphadot is zero, so the rate of alpha is known before the pitching moment
-        alphadot = (air[0] * acceleration[2] - air[2] * acceleration[0]) / (air[0] ** 2 + air[2] ** 2)
-        pitch = -0.683 * alpha - 9.96 * q - 4.36 * alphadot * c / (2 * speed) - 0.87 * de
-        moment = qs * np.array([b * roll, c * pitch, b * yaw])
+
+        def accelerated(alphadot):
+            cl = cl0 + lift_alpha + 0.355 * de + cl_alphadot * alphadot * c / (2 * speed)
+            force = qs * np.array([-cd * ca + cl * sa, side, -cd * sa - cl * ca])
+            force = force + [thrust + spare * np.tan(gamma), 0, -spare]
+            return force / mass + turn.T @ [0, 0, g] - np.cross(w, velocity)
+
+        def alphadot_of(acceleration):
+            return (air[0] * acceleration[2] - air[2] * acceleration[0]) / (air[0] ** 2 + air[2] ** 2)
+
+        # the rate of alpha depends on itself, along a straight line: two points of it say where it meets itself
+        zero, one = alphadot_of(accelerated(0.0)), alphadot_of(accelerated(1.0))
+        alphadot = zero / (1 - (one - zero))
+        acceleration = accelerated(alphadot)
+        pitch = -0.683 * alpha - 9.96 * q - 4.36 * alphadot * c / (2 * speed) - 0.87 * de - c_t * offset / c
+        moment = qs * np.array([b * roll, c * pitch, b * yaw]) + [0, thrust * offset, 0]
         turning = np.linalg.solve(inertia, moment - np.cross(w, inertia @ w))
         return np.concatenate([acceleration, turning, (turn @ cross_matrix(w)).ravel(), turn @ velocity])
 
-    y = np.concatenate([[v0, 0, 0], np.zeros(3), np.eye(3).ravel(), np.zeros(3)])
+    y = np.concatenate([[v0, 0, 0], np.zeros(3), trim.ravel(), np.zeros(3)])
     samples, on = [], [False, False, False]
     pieces = [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0), (3.0, 8.0)]
     for k, (start, end) in enumerate(pieces):
@@ -95,6 +107,10 @@ def navion():
     scale = np.array([FT] * 3 + [1.0] * 12 + [FT, FT, -FT])
     rows = np.array(samples) * scale
     return {
+        "cl_alphadot": cl_alphadot,
+        "thrust_exponent": exponent,
+        "thrust_offset": offset * FT,
+        "gamma0": gamma,
         "controls": controls,
         "wind": wind_si,
         "step": 0.5,
@@ -110,6 +126,7 @@ data = {
     f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}",
     "torque_free": torque_free(),
     "navion": navion(),
+    "navion_otherwise": navion(cl_alphadot=6.0, exponent=-1.0, offset=1.5, gamma=0.1),
 }
 path = pathlib.Path(__file__).parent.parent / "data" / "flight_golden.json"
 path.write_text(json.dumps(data, indent=1) + "\n")
