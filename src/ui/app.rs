@@ -329,6 +329,9 @@ impl App {
         memo.refresh(scenario, view.page);
         view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
         memo.refresh(scenario, view.page);
+        if view.responses.shows_flight() {
+            memo.refresh_flight();
+        }
         match studied(scenario, memo) {
             Some(now) => {
                 let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
@@ -440,7 +443,7 @@ fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> 
 }
 
 fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
-    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes })
+    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes, flight: memo.flight() })
 }
 
 /// Why there is nothing to draw.

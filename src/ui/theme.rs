@@ -43,6 +43,8 @@ pub struct Palette {
     pub accent: Color32,
     /// The pinned state to compare with.
     pub ghost: Color32,
+    /// The nonlinear flight beside the linear motion.
+    pub nonlinear: Color32,
     /// Left half of the pole map.
     pub stable_half: Color32,
     /// Right half of the pole map.
@@ -83,6 +85,7 @@ const LIGHT: Palette = Palette {
     on_strong: Color32::WHITE,
     accent: Color32::from_rgb(0x7a, 0x9b, 0xb8),
     ghost: Color32::from_rgb(0x8a, 0x97, 0xa5),
+    nonlinear: Color32::from_rgb(0xa3, 0x2a, 0x12),
     stable_half: Color32::from_rgb(0xed, 0xf7, 0xf3),
     unstable_half: Color32::from_rgb(0xfd, 0xf1, 0xec),
     good: Color32::from_rgb(0x0a, 0x5f, 0x45),
@@ -115,6 +118,7 @@ const DARK: Palette = Palette {
     on_strong: Color32::from_rgb(0x16, 0x1c, 0x23),
     accent: Color32::from_rgb(0x4f, 0x7d, 0xa3),
     ghost: Color32::from_rgb(0x7d, 0x8b, 0x9a),
+    nonlinear: Color32::from_rgb(0xff, 0xa3, 0x8a),
     stable_half: Color32::from_rgb(0x14, 0x24, 0x22),
     unstable_half: Color32::from_rgb(0x2b, 0x1d, 0x1b),
     good: Color32::from_rgb(0x7d, 0xd9, 0xb5),
