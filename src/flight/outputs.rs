@@ -189,6 +189,23 @@ impl Output {
         values
     }
 
+    /// The same at a time \[s\], straight between the samples.
+    pub fn of_flight_at(self, model: &PlaneModel, flight: &FlightPath, t: f64) -> f64 {
+        let last = flight.samples.len().saturating_sub(1);
+        let position = if flight.dt > 0.0 { (t / flight.dt).clamp(0.0, last as f64) } else { 0.0 };
+        let k = position as usize;
+        let at = |k: usize| {
+            flight.samples.get(k).map_or(0.0, |sample| self.of_sample(model, sample, k as f64 * flight.dt))
+        };
+        let (before, after) = (at(k), at((k + 1).min(last)));
+        let mut change = after - before;
+        if matches!(self, Self::Heading | Self::BankAngle) {
+            // The shorter way round.
+            change -= TAU * (change / TAU).round();
+        }
+        before + position.fract() * change
+    }
+
     /// At one sample, time t \[s\], as a change from the steady flight of `model`.
     fn of_sample(self, model: &PlaneModel, sample: &Sample, t: f64) -> f64 {
         let trim = &model.trim;
