@@ -14,7 +14,7 @@
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`content`] | the aircraft that ship with the page, read and checked once | egui, web |
 //! | [`scenario`] | what is being studied, and the one table of adjustable quantities | egui, web |
-//! | [`export`] | state for other programs, as JSON | egui |
+//! | [`export`] | what other programs ask and read, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
 //! | `web` (in a browser), `main.rs` (feature `app`) | a canvas, a window | how anything is computed or drawn |
 //!
