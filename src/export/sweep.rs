@@ -145,6 +145,12 @@ impl Sweep {
         let value = |k: usize| from * ((last - k) as f64 / last as f64) + to * (k as f64 / last as f64);
         let set = subject.set.iter().cloned().collect();
         let planes = moved_planes(&scenario, parameter, from, to);
+        if planes.is_empty() {
+            let Parameter { key, name, .. } = parameter;
+            return Err(ExportError::Request(format!(
+                "{key} ({name}) moves no mode: there is nothing to sweep"
+            )));
+        }
         Ok(Self { scenario, set, parameter, planes, values: (0..points).map(value).collect(), next: 0 })
     }
 

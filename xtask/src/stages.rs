@@ -52,7 +52,8 @@ fn check_format(project: &Project) -> Result<()> {
 }
 
 fn test_core(project: &Project) -> Result<()> {
-    run(cargo(project).args(["test", "--locked", "--no-default-features"]))?;
+    // With the command line, so that the core is compiled for tests once.
+    run(cargo(project).args(["test", "--locked", "--no-default-features", "--features=cli"]))?;
     run(cargo(project).args(["test", "--locked", "--package=xtask"]))
 }
 

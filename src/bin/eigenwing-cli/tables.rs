@@ -187,12 +187,15 @@ pub fn sweep(report: &SweepReport) -> String {
     let rows = report.points.iter().flat_map(|point| {
         let at = number(point.value);
         let planes = [&point.longitudinal, &point.lateral].into_iter().flatten();
-        let mut rows: Vec<Vec<String>> = planes.flat_map(|plane| sweep_rows(&at, plane)).collect();
-        rows.extend(point.error.iter().map(|error| vec![at.clone(), error.clone()]));
-        rows
+        planes.flat_map(move |plane| sweep_rows(&at, plane))
     });
-    let text = format!("{}\n{}", report.aircraft.name, table(2, &head, rows));
+    let mut text = format!("{}\n{}", report.aircraft.name, table(2, &head, rows));
     let unit = report.unit;
+    for point in &report.points {
+        if let Some(error) = &point.error {
+            text += &format!("At {}: {error}\n", format!("{} {unit}", number(point.value)).trim_end());
+        }
+    }
     report.changes.iter().fold(text, |text, change| {
         let SweepChange { plane, stability, at, from, to, .. } = change;
         let at = format!("{} {unit}", number(*at));
