@@ -75,7 +75,8 @@ fn lint_everything(project: &Project) -> Result<()> {
 /// Reads the code that is compiled for the browser only.
 fn lint_web(project: &Project) -> Result<()> {
     crate::tools::add_wasm_target(project)?;
-    lint(project, &["--bin=eigenwing", "--target=wasm32-unknown-unknown"])
+    let what = ["--bin=eigenwing", "--bin=eigenwing-core", "--features=javascript"];
+    lint(project, &[&what[..], &["--target=wasm32-unknown-unknown"]].concat())
 }
 
 fn lint(project: &Project, what: &[&str]) -> Result<()> {
