@@ -2,19 +2,22 @@
 
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { open } from "./page.mjs";
 
+const run = promisify(execFile);
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 const MATLAB = "tests/data/matrices/navion.m";
 
 // The answer of the program compiled for this machine.
 async function native(...command) {
   const cargo = ["run", "--quiet", "--locked", "--no-default-features", "--features=cli", "--bin=eigenwing-cli", "--"];
-  const { stdout } = await promisify(execFile)("cargo", [...cargo, ...command, "--json"], {
+  const { stdout } = await run("cargo", [...cargo, ...command, "--json"], {
     cwd: ROOT,
     maxBuffer: 1 << 26,
   });
@@ -108,4 +111,39 @@ test("what can't be answered is an Error with the sentence of the command line",
       return sentence instanceof RegExp ? sentence.test(said) : said === sentence;
     });
   }
+});
+
+test("the TypeScript types are those of the answers, no field more and none less", async (t) => {
+  const { page } = await open(t, { path: "example/" });
+  const sweep = { aircraft: "navion", parameter: "speed", from: 20, to: 60, points: 3 };
+  const answers = [
+    ["Aircraft[]", "list"],
+    ["Parameter[]", "parameters", { aircraft: "navion" }],
+    ["Analysis", "analyse", { aircraft: "navion" }],
+    ["Analysis", "analyse", { aircraft: "lesson", set: { a_qw: -0.1 } }],
+    ["Motion", "respond", { aircraft: "navion", disturbance: "side-gust", steps: 2 }],
+    ["Sweep", "sweep", sweep],
+  ];
+  const lines = [
+    'import init, { analyse, list, parameters, respond, sweep } from "./eigenwing-core.js";',
+    'import type { Aircraft, Analysis, Motion, Parameter, Sweep } from "./eigenwing-core.js";',
+    "await init();",
+    "// @ts-expect-error: no aircraft has such a name",
+    "analyse({ aircraft: 7 });",
+    "// @ts-expect-error: a misspelt field",
+    'respond({ aircraft: "navion", disturbence: "side-gust" });',
+  ];
+  for (const [type, name, request] of answers) {
+    const answer = await inBrowser(page, name, request);
+    // The answer as a literal, of which the compiler checks every field.
+    lines.push(`{ const answer: ${type} = ${JSON.stringify(answer)}; answer; }`);
+    lines.push(`{ const answer: ${type} = ${name}(${request ? JSON.stringify(request) : ""}); answer; }`);
+  }
+  const folder = mkdtempSync(join(tmpdir(), "eigenwing-types-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  writeFileSync(`${folder}/eigenwing-core.d.ts`, readFileSync(`${ROOT}dist/core/eigenwing-core.d.ts`));
+  writeFileSync(`${folder}/use.mts`, lines.join("\n"));
+  const tsc = `${ROOT}web/node_modules/typescript/bin/tsc`;
+  const options = ["--noEmit", "--strict", "--target", "esnext", "--module", "esnext", "--moduleResolution", "bundler"];
+  await run(process.execPath, [tsc, ...options, `${folder}/use.mts`]).catch(({ stdout }) => assert.fail(stdout));
 });
