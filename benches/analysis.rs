@@ -15,11 +15,11 @@ use eigenwing::flight::locus::locus;
 use eigenwing::flight::mil_f_8785c::{Category, Class};
 use eigenwing::flight::modes::modes;
 use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
-use eigenwing::flight::response::{TimeGrid, respond};
+use eigenwing::flight::response::{Forced, TimeGrid, respond};
 use eigenwing::flight::sensitivity::entry_sensitivity;
 use eigenwing::flight::static_stability::plane_static_stability;
 use eigenwing::flight::study::{MatrixStudy, Study};
-use eigenwing::flight::{Channel, Experiment, analyse};
+use eigenwing::flight::{Channel, Experiment, Start, analyse};
 use eigenwing::scenario::{Page, Scenario};
 use nalgebra::{Complex, Matrix4, Matrix4x2};
 
@@ -45,10 +45,15 @@ fn whole(criterion: &mut Criterion) {
     let model = lesson();
     let (a, b) = (model.a, model.b.column(0).into_owned());
     let edited = Edited::new(Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }));
-    let experiment =
-        Experiment { plane: Plane::Longitudinal, channel: Channel::First, input: STEP, grid: GRID };
+    let experiment = Experiment {
+        plane: Plane::Longitudinal,
+        inputs: vec![(Channel::First, STEP)],
+        start: Start::Rest,
+        grid: GRID,
+    };
+    let forced = Forced::from_rest(a, b, STEP);
     criterion.bench_function("eigen", |bench| bench.iter(|| eigen(black_box(&a))));
-    criterion.bench_function("respond_1201", |bench| bench.iter(|| respond(black_box(&a), &b, &STEP, GRID)));
+    criterion.bench_function("respond_1201", |bench| bench.iter(|| respond(black_box(&forced), GRID)));
     // All that follows from a new matrix: named modes, verdicts, approximations, and a response of 1,201 points.
     criterion
         .bench_function("slider_tick", |bench| bench.iter(|| analyse(black_box(&edited), None, &experiment)));

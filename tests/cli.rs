@@ -111,7 +111,7 @@ fn an_aircraft_file_from_disk_is_analysed_as_the_one_that_ships() {
 
 #[test]
 fn respond_as_a_table() {
-    insta::assert_snapshot!(answer(&["respond", "x15", "--set", "step=-0.02", "--set", "time=20"]));
+    insta::assert_snapshot!(answer(&["respond", "x15", "--set", "elevator=-0.02", "--set", "time=20"]));
 }
 
 #[test]
@@ -122,8 +122,19 @@ fn respond_as_json() {
 
 #[test]
 fn respond_as_csv() {
-    let arguments =
-        ["respond", "navion", "--disturbance", "rudder-pulse", "--set", "time=6", "--steps", "12", "--csv"];
+    let arguments = [
+        "respond",
+        "navion",
+        "--disturbance",
+        "rudder",
+        "--shape",
+        "doublet",
+        "--set",
+        "time=6",
+        "--steps",
+        "12",
+        "--csv",
+    ];
     insta::assert_snapshot!(rounded(&answer(&arguments)));
 }
 
@@ -180,13 +191,13 @@ fn bad_input_is_one_line_and_exit_code_1() {
         ),
         (&["analyse", "navion", "--set", "speed=NaN"], "speed: expected a finite number"),
         (
-            &["respond", "navion", "--set", "step=3"],
-            "step: 3.000 rad is beyond what is accepted, −0.3500 to 0.3500 rad",
+            &["respond", "navion", "--set", "elevator=3"],
+            "elevator: 3.000 rad is beyond what is accepted, −0.3500 to 0.3500 rad",
         ),
         (&["respond", "lesson", "--disturbance", "side-gust"], "lesson has no lateral data"),
         (
             &["respond", "navion", "--disturbance", "gale"],
-            "there is no disturbance \"gale\"; expected one of elevator-step, elevator-pulse, throttle-step, vertical-gust, rudder-pulse, aileron-pulse, side-gust",
+            "there is no disturbance \"gale\"; expected one of elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release, mode",
         ),
         (&["respond", "navion", "--steps", "0"], "steps: expected 1 to 100000, found 0"),
         (

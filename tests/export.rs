@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use eigenwing::content::{FILES, MatrixFormat};
 use eigenwing::export::{
-    DISTURBANCES, PlaneOutcome, PlaneReport, ResponseRequest, Source, Subject, Sweep, SweepRequest, analyse,
-    json, list, parameters_of, respond,
+    self, DISTURBANCES, PlaneOutcome, PlaneReport, ResponseRequest, SHAPES, Subject, Sweep, SweepRequest,
+    analyse, json, list, parameters_of, respond,
 };
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::Source;
 use serde_json::{Value, json};
 
 fn keys() -> impl Iterator<Item = &'static str> {
@@ -37,7 +39,7 @@ fn the_matrices_of_a_report_read_back_give_the_same_modes() {
     for key in keys() {
         let report = analyse(&Subject::listed(key)).expect("an aircraft of the list");
         for original in [plane(&report.longitudinal), plane(&report.lateral)].into_iter().flatten() {
-            let source = Source::Matrices {
+            let source = export::Source::Matrices {
                 file: key.into(),
                 text: as_matrices(original),
                 format: MatrixFormat::Json,
@@ -76,20 +78,51 @@ fn assert_no_null(value: &Value, path: &str) {
 }
 
 #[test]
-fn every_disturbance_of_every_aircraft_gives_numbers() {
+fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
     for aircraft in list() {
-        for (name, of_plane, _) in DISTURBANCES {
-            let request = ResponseRequest { disturbance: Some(name.to_owned()), steps: Some(50) };
-            let response = respond(&Subject::listed(&aircraft.key), &request);
-            let has_plane =
-                aircraft.planes.iter().any(|plane| format!("{of_plane:?}").to_lowercase() == *plane);
-            assert_eq!(response.is_ok(), has_plane, "{} {name}", aircraft.key);
-            let Ok(response) = response else { continue };
-            assert!(response.outputs.iter().all(|signal| signal.values.len() == response.time.len()));
-            let values = serde_json::to_value(&response.outputs).expect("an answer can be written");
-            assert_no_null(&values, &format!("{} {name}", aircraft.key));
+        for (name, source) in DISTURBANCES {
+            let shapes = SHAPES.iter().filter(|(_, shape)| source.shapes().contains(shape));
+            let shapes: Vec<_> = shapes.map(|(name, _)| Some(*name)).collect();
+            for shape in if shapes.is_empty() { vec![None] } else { shapes } {
+                let request = ResponseRequest {
+                    disturbance: Some(name.to_owned()),
+                    shape: shape.map(str::to_owned),
+                    steps: Some(20),
+                    ..ResponseRequest::default()
+                };
+                // Short: an unoptimised build takes its time.
+                let set = vec![("time".to_owned(), 4.0)];
+                let response = respond(&Subject { set, ..Subject::listed(&aircraft.key) }, &request);
+                let can_be = [Plane::Longitudinal, Plane::Lateral].iter().any(|plane| {
+                    let has_data = aircraft.planes.contains(&format!("{plane:?}").to_lowercase().as_str());
+                    has_data && Source::of(*plane).contains(&source)
+                });
+                assert_eq!(response.is_ok(), can_be, "{} {name} {response:?}", aircraft.key);
+                let Ok(response) = response else { continue };
+                assert_eq!((response.disturbance, response.shape), (name, shape));
+                assert!(response.outputs.iter().all(|signal| signal.values.len() == response.time.len()));
+                let values = serde_json::to_value((&response.inputs, &response.outputs));
+                assert_no_null(&values.expect("JSON"), &format!("{} {name}", aircraft.key));
+            }
         }
     }
+}
+
+#[test]
+fn one_mode_alone_is_chosen_by_its_name() {
+    let request = |mode: &str| ResponseRequest {
+        disturbance: Some("mode".to_owned()),
+        mode: Some(mode.to_owned()),
+        ..ResponseRequest::default()
+    };
+    let navion = Subject::listed("navion");
+    let response = respond(&navion, &request("phugoid")).expect("a mode of the Navion");
+    assert_eq!((response.mode, response.inputs.len()), (Some("Phugoid"), 0));
+    let told = respond(&navion, &request("Dutch roll")).map_err(|error| error.to_string());
+    let sentence = "there is no mode \"Dutch roll\" here; expected \"Short period\", \"Phugoid\"";
+    assert_eq!(told, Err(sentence.to_owned()));
+    let lateral = ResponseRequest { plane: Some("lateral".to_owned()), ..request("Dutch roll") };
+    assert_eq!(respond(&navion, &lateral).map(|response| response.plane), Ok("lateral"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use eigenwing::flight::eigen::{Eigen, eigen};
 use eigenwing::flight::inputs::Input;
-use eigenwing::flight::response::{TimeGrid, respond, steady_state};
+use eigenwing::flight::response::{Forced, TimeGrid, respond, steady_state};
 use nalgebra::{Matrix4, Vector4};
 use serde::Deserialize;
 
@@ -109,7 +109,10 @@ fn the_step_response_is_python_controls() {
     let step = Input::Step { amplitude: 1.0, start: 0.0 };
     for model in &golden.models {
         for (steps, per_second) in [(60, 2.0), (3000, 100.0)] {
-            let response = respond(&model.a(), &golden.b(), &step, TimeGrid { duration: 30.0, steps });
+            let response = respond(
+                &Forced::from_rest(model.a(), golden.b(), step.clone()),
+                TimeGrid { duration: 30.0, steps },
+            );
             assert_eq!(response.cut_at, None);
             for sample in &model.step {
                 let index = (sample.t * per_second).round() as usize;
@@ -130,7 +133,7 @@ fn the_pulse_response_is_scipys_with_zero_order_hold() {
     let start = grid.time(50);
     let pulse = Input::Pulse { amplitude: 0.1, start, duration: grid.time(60) - start };
     for model in &golden.models {
-        let response = respond(&model.a(), &golden.b(), &pulse, grid);
+        let response = respond(&Forced::from_rest(model.a(), golden.b(), pulse.clone()), grid);
         assert_eq!(response.states.len(), 1000);
         for sample in &model.pulse {
             assert_states(

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
 use eigenwing::flight::plane::Plane;
-use eigenwing::scenario::{DisturbanceKind, Page, Parameter, Scenario, ValueError, parameters};
+use eigenwing::scenario::{Page, Parameter, Scenario, Source, ValueError, parameters};
 
 fn scenarios() -> Vec<Scenario> {
     embedded_aircraft().0.into_iter().map(|aircraft| Scenario::new(Arc::new(aircraft))).collect()
@@ -82,13 +82,19 @@ fn assert_finite(scenario: &Scenario, what: &str) {
 fn every_disturbance_of_every_aircraft_has_a_response() {
     for scenario in scenarios() {
         for plane in [Plane::Longitudinal, Plane::Lateral] {
-            for &kind in DisturbanceKind::of(plane) {
+            for &source in Source::of(plane) {
                 let mut edited = scenario.clone();
                 edited.plane = plane;
-                *edited.disturbance.kind_mut(plane) = kind;
-                assert_finite(&edited, kind.text());
-                for key in kind.parameters() {
-                    assert!(Parameter::find(key).is_some(), "{key}");
+                edited.disturbance.choice_mut(plane).source = source;
+                for shape in source.shapes().iter().copied().map(Some).chain([None]) {
+                    if let Some(shape) = shape {
+                        *edited.disturbance.choice_mut(plane).shape_mut() = shape;
+                    }
+                    let choice = *edited.disturbance.choice(plane);
+                    assert_finite(&edited, &choice.text());
+                    for key in choice.parameters(plane) {
+                        assert!(Parameter::find(key).is_some(), "{key}");
+                    }
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use eigenwing::flight::eigen::eigen;
 use eigenwing::flight::inputs::Input;
-use eigenwing::flight::response::{CUT_LIMIT, MOST_STEPS, Response, TimeGrid, respond, steady_state};
+use eigenwing::flight::response::{CUT_LIMIT, Forced, MOST_STEPS, Response, TimeGrid, steady_state};
 use nalgebra::{Matrix4, Vector4};
 use proptest::prelude::*;
 
@@ -19,6 +19,10 @@ const GRID: TimeGrid = TimeGrid { duration: 30.0, steps: 600 };
 
 fn step(amplitude: f64, start: f64) -> Input {
     Input::Step { amplitude, start }
+}
+
+fn respond(a: &Matrix4<f64>, b: &Vector4<f64>, input: &Input, grid: TimeGrid) -> Response {
+    eigenwing::flight::response::respond(&Forced::from_rest(*a, *b, input.clone()), grid)
 }
 
 fn run(input: &Input, grid: TimeGrid) -> Response {
@@ -186,7 +190,9 @@ fn numbers_that_are_not_finite_are_cut_at_the_first_sample() {
     bad_b[1] = f64::INFINITY;
     let step = step(1.0, 0.0);
     let late = Input::Pulse { amplitude: f64::NAN, start: 1.0, duration: 1.0 };
-    for (a, b, input) in [(bad_a, b, step), (a, bad_b, step), (a * -1e300, b, step), (a, b, late)] {
+    for (a, b, input) in
+        [(bad_a, b, step.clone()), (a, bad_b, step.clone()), (a * -1e300, b, step), (a, b, late)]
+    {
         let response = respond(&a, &b, &input, GRID);
         assert_eq!(response.states.len(), 1);
         assert_eq!(response.cut_at, Some(response.dt));

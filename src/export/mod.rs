@@ -22,7 +22,7 @@ pub use report::{
     AircraftReport, ApproximationReport, JudgedReport, LevelReport, ModeReport, PlaneOutcome, PlaneReport,
     Report, StaticReport, StiffnessReport, TrimReport, Units, ValueReport, analyse,
 };
-pub use respond::{DISTURBANCES, ResponseReport, ResponseRequest, Signal, respond};
+pub use respond::{DISTURBANCES, ResponseReport, ResponseRequest, SHAPES, Signal, respond};
 pub use subject::{ExportError, Source, Subject};
 pub use sweep::{
     MOST_POINTS, Sweep, SweepChange, SweepMode, SweepPlane, SweepPoint, SweepReport, SweepRequest,
@@ -40,7 +40,7 @@ pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) ->
             Plane::Longitudinal => "longitudinal",
             Plane::Lateral => "lateral",
         },
-        "disturbance": scenario.disturbance.kind(scenario.plane).text(),
+        "disturbance": scenario.disturbance.choice(scenario.plane).text(),
         "parameters": parameters,
         "analysis": match analysis {
             Ok(analysis) => of_analysis(analysis),

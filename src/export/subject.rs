@@ -204,7 +204,7 @@ pub(super) fn checked(
 }
 
 /// The name most like a misspelt one, if any is like it.
-fn nearest<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<String> {
+pub(super) fn nearest<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<String> {
     let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), other);
     names
         .map(|other| (likeness(other), other))

@@ -6,12 +6,11 @@
 //!
 //! An offset stays while what lies before it changes, so every page of sliders can be edited at any time.
 
-use nalgebra::{Matrix4, Matrix4x2, Vector4};
+use nalgebra::{Matrix4, Matrix4x2};
 
 use super::derivatives::{LateralDerivatives, LongitudinalDerivatives};
-use super::plane::{Plane, PlaneModel};
+use super::plane::Plane;
 use super::real::{Real, Record};
-use super::states::{Lateral, Longitudinal};
 use super::study::{DerivativeStudy, Models, Study, StudyError};
 
 /// What a person has added to the derivatives and matrices that follow from a study; all zero at first.
@@ -101,16 +100,5 @@ impl Edited {
             model.b += offsets.b;
         }
         Ok(models)
-    }
-}
-
-/// The column by which air moving across the flight enters, −A\[:, w\] or −A\[:, v\].
-///
-/// The aerodynamic terms feel w − w_g; the w column of A is purely aerodynamic, the kinematic U₀ stands in the q column
-/// (Etkin, *Dynamics of Atmospheric Flight*, §13.2), and so for v. Penetration is left out.
-pub fn gust_column(model: &PlaneModel) -> Vector4<f64> {
-    match model.plane {
-        Plane::Longitudinal => -model.a.column(Longitudinal::W.index()),
-        Plane::Lateral => -model.a.column(Lateral::V.index()),
     }
 }

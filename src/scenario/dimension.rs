@@ -23,6 +23,10 @@ pub enum Dimension {
     Angle,
     /// Angle over time, rad/s inside and deg/s on screen.
     AngularRate,
+    /// Load factor, in units of g.
+    Load,
+    /// Angular frequency, rad/s always.
+    Frequency,
     /// Seconds.
     Time,
     /// No unit.
@@ -45,6 +49,8 @@ impl Dimension {
             | Self::PerSecondSquared
             | Self::AirSpeed
             | Self::Time
+            | Self::Frequency
+            | Self::Load
             | Self::Number
             | Self::PerRadian
             | Self::Length => 1.0,
@@ -68,6 +74,8 @@ impl Dimension {
             (Self::PerLengthSecond, LengthUnit::HundredFeet) => "1/(100 ft·s)",
             (Self::Angle, _) => "deg",
             (Self::AngularRate, _) => "deg/s",
+            (Self::Frequency, _) => "rad/s",
+            (Self::Load, _) => "g",
             (Self::Time, _) => "s",
             (Self::Number, _) => "",
             (Self::PerRadian, _) => "1/rad",
@@ -93,6 +101,8 @@ impl Dimension {
             Self::PerRadian => "1/rad",
             Self::Length => "m",
             Self::PerLength => "1/m",
+            Self::Load => "g",
+            Self::Frequency => "rad/s",
         }
     }
 }

@@ -1,150 +1,371 @@
-//! The disturbances a person can choose, each with its own remembered size.
+//! The disturbances a person can choose: what moves, in which shape, and how strongly, each remembered.
 
 use crate::flight::inputs::Input;
 use crate::flight::plane::Plane;
-use crate::flight::response::TimeGrid;
-use crate::flight::{Channel, Experiment};
+use crate::flight::{Channel, Start};
 
 /// Every disturbance begins here, so that the undisturbed flight before it can be seen \[s\].
 pub const START: f64 = 1.0;
 
-/// Intervals between the samples of a response: one a pixel or finer on a wide screen.
-const STEPS: usize = 1200;
-
-/// Which disturbance the aircraft is put through.
+/// What disturbs the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DisturbanceKind {
-    /// The elevator moves at once and stays.
-    ElevatorStep,
-    /// The elevator moves at once and soon goes back: the disturbance of the lesson.
-    ElevatorPulse,
-    /// More thrust at once.
-    ThrottleStep,
-    /// The aircraft flies into steadily rising air with a sharp edge.
+pub enum Source {
+    /// The elevator.
+    Elevator,
+    /// More thrust.
+    Throttle,
+    /// Rising air.
     VerticalGust,
-    /// The aileron moves at once and soon goes back.
-    AileronPulse,
-    /// The rudder moves at once and soon goes back.
-    RudderPulse,
-    /// The aircraft flies into air that moves steadily to the right.
+    /// Air that comes from ahead.
+    HeadGust,
+    /// The aileron.
+    Aileron,
+    /// The rudder.
+    Rudder,
+    /// Air that moves to the right.
     SideGust,
+    /// Irregular air, of Dryden's form.
+    Turbulence,
+    /// Let go away from steady flight, controls fixed.
+    Release,
+    /// One mode alone, from its own shape.
+    OneMode,
 }
 
-impl DisturbanceKind {
+/// The shape in time of a control or gust.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// At once, and stays.
+    Step,
+    /// At once, and soon back.
+    Pulse,
+    /// There, and as long to the other side.
+    Doublet,
+    /// Three, two, one and one units of time, to alternate sides.
+    ThreeTwoOneOne,
+    /// To and fro at one frequency.
+    Sine,
+    /// To and fro, faster and faster.
+    Sweep,
+    /// Swelling and dying away like a bell, ½(1 − cos).
+    OneMinusCosine,
+}
+
+/// The numbers that size disturbances, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes {
+    /// Elevator \[rad\], trailing edge down positive; of every shape but the pulse.
+    pub elevator: f64,
+    /// Elevator of the pulse \[rad\], trailing edge down positive.
+    pub elevator_pulse: f64,
+    /// Throttle, the change of thrust as a fraction of the weight.
+    pub throttle: f64,
+    /// Aileron \[rad\], in the source's sense.
+    pub aileron: f64,
+    /// Rudder \[rad\], trailing edge left positive.
+    pub rudder: f64,
+    /// Length of a pulse, of half a doublet, of a unit of the 3-2-1-1 \[s\].
+    pub part: f64,
+    /// Angular frequency of a sine, and of a sweep at its start \[rad/s\].
+    pub frequency: f64,
+    /// Angular frequency of a sweep at its end \[rad/s\].
+    pub sweep_to: f64,
+    /// How long a sine or a sweep lasts \[s\].
+    pub lasting: f64,
+    /// Speed of the rising air \[m/s\], upward positive.
+    pub vertical_gust: f64,
+    /// Speed of the air from ahead \[m/s\], against the flight positive.
+    pub head_gust: f64,
+    /// Speed of the air from the left \[m/s\], to the right positive.
+    pub side_gust: f64,
+    /// Length of a 1 − cosine gust \[s\].
+    pub gust_length: f64,
+    /// Root mean square of the vertical turbulence σ_w \[m/s\].
+    pub turbulence: f64,
+    /// Which sample of turbulence: a whole number.
+    pub seed: f64,
+    /// Released with u, α, q, θ away from steady flight \[m/s, rad, rad/s, rad\].
+    pub released_longitudinal: [f64; 4],
+    /// Released with β, p, r, φ away from steady flight \[rad, rad/s, rad/s, rad\].
+    pub released_lateral: [f64; 4],
+    /// Size of one mode alone: its flow angle or attitude, whichever is larger \[rad\].
+    pub mode: f64,
+    /// All of the above times this, to leave the small disturbances of the linear model.
+    pub times: f64,
+    /// Time shown \[s\].
+    pub time: f64,
+}
+
+/// What disturbs one plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// What moves.
+    pub source: Source,
+    /// The shape, if a control moves.
+    pub control_shape: Shape,
+    /// The shape, if the air moves.
+    pub gust_shape: Shape,
+    /// Place of the mode flown alone in the order of the modes.
+    pub mode: usize,
+}
+
+/// A disturbance of each plane and its size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disturbance {
+    /// What disturbs longitudinal motion.
+    pub longitudinal: Choice,
+    /// What disturbs lateral motion.
+    pub lateral: Choice,
+    /// How strongly, and for how long.
+    pub sizes: Sizes,
+}
+
+impl Source {
     /// Those of a plane, in the order of the chooser.
     pub const fn of(plane: Plane) -> &'static [Self] {
         match plane {
-            Plane::Longitudinal => {
-                &[Self::ElevatorStep, Self::ElevatorPulse, Self::ThrottleStep, Self::VerticalGust]
+            Plane::Longitudinal => &[
+                Self::Elevator,
+                Self::Throttle,
+                Self::VerticalGust,
+                Self::HeadGust,
+                Self::Turbulence,
+                Self::Release,
+                Self::OneMode,
+            ],
+            Plane::Lateral => {
+                &[Self::Rudder, Self::Aileron, Self::SideGust, Self::Turbulence, Self::Release, Self::OneMode]
             }
-            Plane::Lateral => &[Self::RudderPulse, Self::AileronPulse, Self::SideGust],
         }
     }
 
     /// The words on screen.
     pub const fn text(self) -> &'static str {
         match self {
-            Self::ElevatorStep => "Elevator step",
-            Self::ElevatorPulse => "Elevator pulse",
-            Self::ThrottleStep => "Throttle step",
+            Self::Elevator => "Elevator",
+            Self::Throttle => "Throttle",
             Self::VerticalGust => "Vertical gust",
-            Self::AileronPulse => "Aileron pulse",
-            Self::RudderPulse => "Rudder pulse",
+            Self::HeadGust => "Head gust",
+            Self::Aileron => "Aileron",
+            Self::Rudder => "Rudder",
             Self::SideGust => "Side gust",
+            Self::Turbulence => "Turbulence",
+            Self::Release => "Released from",
+            Self::OneMode => "One mode",
         }
     }
 
-    /// Keys of the parameters that size it.
-    pub const fn parameters(self) -> &'static [&'static str] {
+    /// The shapes that it can have; none where it has a shape of its own.
+    pub const fn shapes(self) -> &'static [Shape] {
         match self {
-            Self::ElevatorStep => &["step", "time"],
-            Self::ElevatorPulse => &["pulse", "pulse_for", "time"],
-            Self::ThrottleStep => &["throttle", "time"],
-            Self::VerticalGust => &["gust", "time"],
-            Self::AileronPulse => &["aileron", "pulse_for", "time"],
-            Self::RudderPulse => &["rudder", "pulse_for", "time"],
-            Self::SideGust => &["side_gust", "time"],
+            Self::Elevator | Self::Throttle | Self::Aileron | Self::Rudder => {
+                &[Shape::Step, Shape::Pulse, Shape::Doublet, Shape::ThreeTwoOneOne, Shape::Sine, Shape::Sweep]
+            }
+            Self::VerticalGust | Self::HeadGust | Self::SideGust => {
+                &[Shape::OneMinusCosine, Shape::Step, Shape::Sine]
+            }
+            Self::Turbulence | Self::Release | Self::OneMode => &[],
+        }
+    }
+
+    /// Key of the parameter that is its size, with this shape.
+    const fn size_key(self, shape: Shape) -> Option<&'static str> {
+        match (self, shape) {
+            (Self::Elevator, Shape::Pulse) => Some("elevator_pulse"),
+            (Self::Elevator, _) => Some("elevator"),
+            (Self::Throttle, _) => Some("throttle"),
+            (Self::VerticalGust, _) => Some("gust"),
+            (Self::HeadGust, _) => Some("head_gust"),
+            (Self::Aileron, _) => Some("aileron"),
+            (Self::Rudder, _) => Some("rudder"),
+            (Self::SideGust, _) => Some("side_gust"),
+            (Self::Turbulence | Self::Release | Self::OneMode, _) => None,
         }
     }
 }
 
-/// A disturbance and the time for which it is watched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disturbance {
-    /// Which one disturbs longitudinal motion.
-    pub longitudinal: DisturbanceKind,
-    /// Which one disturbs lateral motion.
-    pub lateral: DisturbanceKind,
-    /// Elevator of the step \[rad\], trailing edge down positive.
-    pub step_elevator: f64,
-    /// Elevator of the pulse \[rad\], trailing edge down positive.
-    pub pulse_elevator: f64,
-    /// Throttle of the step, the change of thrust as a fraction of the weight.
-    pub step_throttle: f64,
-    /// Aileron of the pulse \[rad\], in the source's sense.
-    pub pulse_aileron: f64,
-    /// Rudder of the pulse \[rad\], trailing edge left positive.
-    pub pulse_rudder: f64,
-    /// Length of a pulse \[s\].
-    pub pulse_duration: f64,
-    /// Speed of the rising air \[m/s\], upward positive.
-    pub gust_speed: f64,
-    /// Speed of the air from the left \[m/s\], to the right positive.
-    pub side_gust_speed: f64,
-    /// Time shown \[s\].
-    pub duration: f64,
+impl Shape {
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Pulse => "pulse",
+            Self::Doublet => "doublet",
+            Self::ThreeTwoOneOne => "3-2-1-1",
+            Self::Sine => "sine",
+            Self::Sweep => "sweep",
+            Self::OneMinusCosine => "1 − cosine",
+        }
+    }
+
+    const fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Step => &[],
+            Self::Pulse | Self::Doublet | Self::ThreeTwoOneOne => &["part"],
+            Self::Sine => &["frequency", "lasting"],
+            Self::Sweep => &["frequency", "sweep_to", "lasting"],
+            Self::OneMinusCosine => &["gust_for"],
+        }
+    }
+}
+
+impl Choice {
+    /// The shape that the source has now; `None` where it has one of its own.
+    pub fn shape(&self) -> Option<Shape> {
+        let own = if self.source.shapes().contains(&Shape::OneMinusCosine) {
+            self.gust_shape
+        } else {
+            self.control_shape
+        };
+        self.source.shapes().contains(&own).then_some(own)
+    }
+
+    /// The shape of the source, to change.
+    pub fn shape_mut(&mut self) -> &mut Shape {
+        if self.source.shapes().contains(&Shape::OneMinusCosine) {
+            &mut self.gust_shape
+        } else {
+            &mut self.control_shape
+        }
+    }
+
+    /// The words on screen: "Elevator step".
+    pub fn text(&self) -> String {
+        match self.shape() {
+            Some(shape) => format!("{} {}", self.source.text(), shape.text()),
+            None => self.source.text().to_owned(),
+        }
+    }
+
+    /// Keys of the parameters that size it, besides the time shown and the factor on all.
+    pub fn parameters(&self, plane: Plane) -> Vec<&'static str> {
+        let shape = self.shape();
+        let mut keys: Vec<&'static str> =
+            shape.and_then(|shape| self.source.size_key(shape)).into_iter().collect();
+        keys.extend(shape.map_or(&[][..], Shape::keys));
+        keys.extend(match (self.source, plane) {
+            (Source::Turbulence, _) => &["turbulence", "seed"][..],
+            (Source::Release, Plane::Longitudinal) => &["from_u", "from_alpha", "from_q", "from_theta"],
+            (Source::Release, Plane::Lateral) => &["from_beta", "from_p", "from_r", "from_phi"],
+            (Source::OneMode, _) => &["mode_size"],
+            _ => &[],
+        });
+        keys
+    }
 }
 
 impl Default for Disturbance {
-    /// The step of one degree, long enough to see a phugoid; the pulse is the lesson's, 0.1 rad for 0.2 s.
+    /// The step of one degree, long enough to see a phugoid; the elevator's pulse is the lesson's, 0.1 rad for 0.2 s.
+    fn default() -> Self {
+        let choice = |source, control_shape| Choice {
+            source,
+            control_shape,
+            gust_shape: Shape::OneMinusCosine,
+            mode: 0,
+        };
+        Self {
+            longitudinal: choice(Source::Elevator, Shape::Step),
+            lateral: choice(Source::Rudder, Shape::Pulse),
+            sizes: Sizes::default(),
+        }
+    }
+}
+
+impl Default for Sizes {
     fn default() -> Self {
         Self {
-            longitudinal: DisturbanceKind::ElevatorStep,
-            lateral: DisturbanceKind::RudderPulse,
-            step_elevator: 1_f64.to_radians(),
-            pulse_elevator: 0.1,
-            step_throttle: 0.02,
-            pulse_aileron: 2_f64.to_radians(),
-            pulse_rudder: 5_f64.to_radians(),
-            pulse_duration: 0.2,
-            gust_speed: 3.0,
-            side_gust_speed: 3.0,
-            duration: 60.0,
+            elevator: 1_f64.to_radians(),
+            elevator_pulse: 0.1,
+            throttle: 0.02,
+            aileron: 2_f64.to_radians(),
+            rudder: 5_f64.to_radians(),
+            part: 0.2,
+            frequency: 1.0,
+            sweep_to: 10.0,
+            lasting: 40.0,
+            vertical_gust: 3.0,
+            head_gust: 3.0,
+            side_gust: 3.0,
+            gust_length: 2.0,
+            turbulence: 1.0,
+            seed: 1.0,
+            released_longitudinal: [0.0, 2_f64.to_radians(), 0.0, 0.0],
+            released_lateral: [5_f64.to_radians(), 0.0, 0.0, 0.0],
+            mode: 5_f64.to_radians(),
+            times: 1.0,
+            time: 60.0,
         }
     }
 }
 
 impl Disturbance {
-    /// Which one disturbs a plane.
-    pub const fn kind(&self, plane: Plane) -> DisturbanceKind {
+    /// What disturbs a plane.
+    pub const fn choice(&self, plane: Plane) -> &Choice {
         match plane {
-            Plane::Longitudinal => self.longitudinal,
-            Plane::Lateral => self.lateral,
+            Plane::Longitudinal => &self.longitudinal,
+            Plane::Lateral => &self.lateral,
         }
     }
 
-    /// Which one disturbs a plane, to change.
-    pub const fn kind_mut(&mut self, plane: Plane) -> &mut DisturbanceKind {
+    /// What disturbs a plane, to change.
+    pub const fn choice_mut(&mut self, plane: Plane) -> &mut Choice {
         match plane {
             Plane::Longitudinal => &mut self.longitudinal,
             Plane::Lateral => &mut self.lateral,
         }
     }
 
-    /// The experiment to analyse for a plane.
-    pub fn experiment(&self, plane: Plane) -> Experiment {
-        let step = |amplitude| Input::Step { amplitude, start: START };
-        let pulse = |amplitude| Input::Pulse { amplitude, start: START, duration: self.pulse_duration };
-        let (channel, input) = match self.kind(plane) {
-            DisturbanceKind::ElevatorStep => (Channel::First, step(self.step_elevator)),
-            DisturbanceKind::ElevatorPulse => (Channel::First, pulse(self.pulse_elevator)),
-            DisturbanceKind::ThrottleStep => (Channel::Second, step(self.step_throttle)),
-            // Rising air moves against z, which points down: w_g = −speed.
-            DisturbanceKind::VerticalGust => (Channel::Gust, step(-self.gust_speed)),
-            DisturbanceKind::AileronPulse => (Channel::First, pulse(self.pulse_aileron)),
-            DisturbanceKind::RudderPulse => (Channel::Second, pulse(self.pulse_rudder)),
-            DisturbanceKind::SideGust => (Channel::Gust, step(self.side_gust_speed)),
+    /// The control or gust that moves, with its shape in time; none in turbulence, released or in one mode.
+    pub fn input(&self, plane: Plane) -> Option<(Channel, Input)> {
+        let choice = self.choice(plane);
+        let shape = choice.shape()?;
+        let sizes = &self.sizes;
+        let (channel, size) = match (choice.source, shape) {
+            (Source::Elevator, Shape::Pulse) => (Channel::First, sizes.elevator_pulse),
+            (Source::Elevator, _) => (Channel::First, sizes.elevator),
+            (Source::Throttle, _) => (Channel::Second, sizes.throttle),
+            // Rising air moves against z, which points down, and air from ahead against x.
+            (Source::VerticalGust, _) => (Channel::AirAcross, -sizes.vertical_gust),
+            (Source::HeadGust, _) => (Channel::AirAlong, -sizes.head_gust),
+            (Source::Aileron, _) => (Channel::First, sizes.aileron),
+            (Source::Rudder, _) => (Channel::Second, sizes.rudder),
+            (Source::SideGust, _) => (Channel::AirAcross, sizes.side_gust),
+            (Source::Turbulence | Source::Release | Source::OneMode, _) => return None,
         };
-        Experiment { plane, channel, input, grid: TimeGrid { duration: self.duration, steps: STEPS } }
+        let (amplitude, start) = (size * sizes.times, START);
+        let input = match shape {
+            Shape::Step => Input::Step { amplitude, start },
+            Shape::Pulse => Input::Pulse { amplitude, start, duration: sizes.part },
+            Shape::Doublet => Input::Doublet { amplitude, start, duration: sizes.part },
+            Shape::ThreeTwoOneOne => Input::ThreeTwoOneOne { amplitude, start, unit: sizes.part },
+            Shape::Sine => {
+                Input::Sine { amplitude, start, duration: sizes.lasting, frequency: sizes.frequency }
+            }
+            Shape::Sweep => Input::Sweep {
+                amplitude,
+                start,
+                duration: sizes.lasting,
+                from: sizes.frequency,
+                to: sizes.sweep_to,
+            },
+            Shape::OneMinusCosine => Input::OneMinusCosine { amplitude, start, duration: sizes.gust_length },
+        };
+        Some((channel, input))
+    }
+
+    /// How the motion of a plane begins.
+    pub fn start(&self, plane: Plane) -> Start {
+        let (choice, sizes) = (self.choice(plane), &self.sizes);
+        match choice.source {
+            Source::Release => {
+                let released = match plane {
+                    Plane::Longitudinal => sizes.released_longitudinal,
+                    Plane::Lateral => sizes.released_lateral,
+                };
+                Start::Released(released.map(|x| x * sizes.times))
+            }
+            Source::OneMode => Start::Mode { index: choice.mode, amplitude: sizes.mode * sizes.times },
+            _ => Start::Rest,
+        }
     }
 }

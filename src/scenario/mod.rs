@@ -2,8 +2,10 @@
 
 mod dimension;
 mod disturbance;
+mod experiment;
 mod outlook;
 pub mod parameters;
+mod quantity;
 
 use std::sync::Arc;
 
@@ -14,9 +16,10 @@ use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError, analyse};
 
 pub use dimension::Dimension;
-pub use disturbance::{Disturbance, DisturbanceKind, START};
+pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
+pub use quantity::Quantity;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +68,6 @@ impl Scenario {
 
     /// Everything that follows from it.
     pub fn analyse(&self) -> Result<Analysis, AnalysisError> {
-        analyse(&self.edited, self.task(), &self.disturbance.experiment(self.plane))
+        analyse(&self.edited, self.task(), &self.experiment())
     }
 }

@@ -321,13 +321,13 @@ impl App {
 
     fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
         let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
-        view.responses.choosers_ui(ui, scenario);
         memo.refresh(scenario, view.page);
-        match memo.motion() {
-            Some(motion) => {
-                let ghost = ghost.as_ref().zip(ghost_memo.motion());
-                let ghost = ghost.map(|(ghost, motion)| Studied { scenario: &ghost.scenario, motion });
-                view.responses.show(ui, Studied { scenario, motion }, ghost, rows);
+        view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
+        memo.refresh(scenario, view.page);
+        match studied(scenario, memo) {
+            Some(now) => {
+                let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
+                view.responses.show(ui, now, ghost, rows);
             }
             None => problem_ui(ui, memo.followed(), scenario.plane),
         }
@@ -406,6 +406,10 @@ impl App {
 fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> {
     ghost?;
     memo.plane().map(|plane| plane.modes.as_slice())
+}
+
+fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
+    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes })
 }
 
 /// Why there is nothing to draw.

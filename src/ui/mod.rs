@@ -11,7 +11,6 @@ mod number_field;
 mod pole_grid;
 mod pole_labels;
 mod pole_map;
-mod response_plot;
 mod responses;
 mod slider;
 mod symbol;

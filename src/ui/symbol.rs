@@ -19,8 +19,10 @@ use egui::{Align, Color32, FontId, Sense, Ui, Vec2, WidgetInfo};
 use super::fonts;
 
 /// Set upright, when they stand between what aren't Latin letters.
-const WORDS: [&str; 15] =
-    ["cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for"];
+const WORDS: [&str; 18] = [
+    "cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for",
+    "to", "no", "size",
+];
 
 const DOT_ABOVE: char = '\u{307}';
 

@@ -34,13 +34,22 @@ pub enum Command {
         #[command(flatten)]
         output: Output,
     },
-    /// The motion after a disturbance; its size and length are parameters: --set step=0.02 --set time=120
+    /// The motion after a disturbance; its size and length are parameters: --set elevator=0.02 --set time=120
     Respond {
         #[command(flatten)]
         subject: SubjectArguments,
-        /// elevator-step, elevator-pulse, throttle-step, vertical-gust, rudder-pulse, aileron-pulse or side-gust
+        /// longitudinal or lateral [default: that of the disturbance]
+        #[arg(long, value_name = "NAME")]
+        plane: Option<String>,
+        /// elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release or mode
         #[arg(long, value_name = "NAME")]
         disturbance: Option<String>,
+        /// step, pulse, doublet, 3-2-1-1, sine or sweep; of a gust 1-cosine, step or sine
+        #[arg(long, value_name = "NAME")]
+        shape: Option<String>,
+        /// The mode that is flown alone, such as "phugoid"
+        #[arg(long, value_name = "NAME")]
+        mode: Option<String>,
         /// Steps between the samples [default: 600]
         #[arg(long, value_name = "N")]
         steps: Option<usize>,

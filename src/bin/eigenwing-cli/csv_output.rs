@@ -87,7 +87,7 @@ pub fn analysis(report: &Report) -> String {
 
 /// One row a sample.
 pub fn response(report: &ResponseReport) -> String {
-    let signals: Vec<_> = std::iter::once(&report.input).chain(&report.outputs).collect();
+    let signals: Vec<_> = report.inputs.iter().chain(&report.outputs).collect();
     let heading = |name: &str, unit: &str| {
         if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
     };

@@ -65,8 +65,14 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::analysis(&report),
             }
         }
-        Command::Respond { subject, disturbance, steps, output } => {
-            let request = ResponseRequest { disturbance: disturbance.clone(), steps: *steps };
+        Command::Respond { subject, plane, disturbance, shape, mode, steps, output } => {
+            let request = ResponseRequest {
+                plane: plane.clone(),
+                disturbance: disturbance.clone(),
+                shape: shape.clone(),
+                mode: mode.clone(),
+                steps: *steps,
+            };
             let report = export::respond(&subject.read()?, &request)?;
             match output.format() {
                 Format::Table => tables::response(&report),

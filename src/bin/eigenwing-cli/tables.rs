@@ -15,6 +15,9 @@ const STYLE: TableStyle = TableStyle::new().header_separator(LineStyle::none().f
 /// Rows that a person reads; more are for `--csv`.
 const SAMPLES: usize = 20;
 
+/// Columns of a motion that fit side by side; likewise.
+const OUTPUTS: usize = 5;
+
 fn number(x: f64) -> String {
     significant(x, DIGITS)
 }
@@ -155,7 +158,7 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
 }
 
 pub fn response(report: &ResponseReport) -> String {
-    let signals: Vec<_> = std::iter::once(&report.input).chain(&report.outputs).collect();
+    let signals: Vec<_> = report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)).collect();
     let heads: Vec<String> = std::iter::once(("time", "s"))
         .chain(signals.iter().map(|signal| (signal.name, signal.unit)))
         .map(|(name, unit)| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") })
@@ -167,10 +170,13 @@ pub fn response(report: &ResponseReport) -> String {
         let values = signals.iter().map(|signal| signal.values.get(k).copied());
         std::iter::once(report.time.get(k).copied()).chain(values).map(optional).collect()
     });
-    let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, report.disturbance);
+    let disturbance: Vec<&str> =
+        [Some(report.disturbance), report.shape, report.mode].into_iter().flatten().collect();
+    let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, disturbance.join(" "));
     text += &table(0, &heads, rows);
     if step > 1 {
-        text += &format!("Every {step}th of {} samples; --csv and --json give all.\n", last + 1);
+        text +=
+            &format!("Every {step}th of {} samples; --csv and --json give all, of more outputs.\n", last + 1);
     }
     if let Some(time) = report.small_until {
         text += &format!("From {} s on this is no small disturbance any more.\n", number(time));

@@ -18,18 +18,30 @@ export interface Subject {
 }
 
 export interface ResponseRequest {
-  /** By default a step of the elevator, or what comes first for the aircraft. */
-  disturbance?:
-    | "elevator-step"
-    | "elevator-pulse"
-    | "throttle-step"
-    | "vertical-gust"
-    | "rudder-pulse"
-    | "aileron-pulse"
-    | "side-gust";
+  /** By default that of the disturbance, or the aircraft's first. */
+  plane?: PlaneName;
+  /** By default elevator or rudder. Its size is one of the `parameters()`. */
+  disturbance?: Disturbance;
+  /** By default that of the page; not every disturbance can have every shape. */
+  shape?: Shape;
+  /** Name of the mode flown alone, with the disturbance "mode". */
+  mode?: string;
   /** Steps between the samples, 600 by default. */
   steps?: number;
 }
+
+export type Disturbance =
+  | "elevator"
+  | "throttle"
+  | "vertical-gust"
+  | "head-gust"
+  | "rudder"
+  | "aileron"
+  | "side-gust"
+  | "turbulence"
+  | "release"
+  | "mode";
+export type Shape = "step" | "pulse" | "doublet" | "3-2-1-1" | "sine" | "sweep" | "1-cosine";
 
 export interface SweepRequest {
   /** Key of the parameter. */
@@ -173,11 +185,15 @@ export interface Motion {
   aircraft: Aircraft;
   set: Record<string, number>;
   plane: PlaneName;
-  disturbance: string;
+  disturbance: Disturbance;
+  /** null where the disturbance has one of its own. */
+  shape: Shape | null;
+  mode: string | null;
   /** Seconds. */
   time: number[];
-  input: Signal;
-  /** The states first. */
+  /** What disturbs; none where the aircraft is let go. */
+  inputs: Signal[];
+  /** What moves, as a change from the steady flight. */
   outputs: Signal[];
   /** Seconds; null if the motion stays small. */
   small_until: number | null;

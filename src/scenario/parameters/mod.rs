@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 
 use thiserror::Error;
 
-use super::{Dimension, Disturbance, Scenario};
+use super::{Dimension, Scenario, Sizes};
 use crate::flight::coefficients::{LateralCoefficients, LongitudinalCoefficients};
 use crate::flight::condition::FlightCondition;
 use crate::flight::derivatives::{LateralDerivatives, LongitudinalDerivatives};
@@ -149,7 +149,7 @@ enum Place {
     A(Plane, usize, usize, f64),
     /// Entry of B: row and column.
     B(Plane, usize, usize),
-    Disturbance(fn(&mut Disturbance) -> &mut f64),
+    Disturbance(fn(&mut Sizes) -> &mut f64),
 }
 
 /// Range of a slider.
@@ -272,7 +272,7 @@ impl Parameter {
                 Some(sign * models.of(plane)?.a[(row, column)])
             }
             Place::B(plane, row, column) => Some(edited.models().ok()?.of(plane)?.b[(row, column)]),
-            Place::Disturbance(of) => Some(read(of, &scenario.disturbance)),
+            Place::Disturbance(of) => Some(read(of, &scenario.disturbance.sizes)),
         }
     }
 
@@ -302,7 +302,7 @@ impl Parameter {
             (Place::B(plane, row, column), _) => {
                 edited.offsets.matrices_mut(plane).b[(row, column)] += change;
             }
-            (Place::Disturbance(of), _) => *of(&mut scenario.disturbance) = value,
+            (Place::Disturbance(of), _) => *of(&mut scenario.disturbance.sizes) = value,
             _ => {}
         }
     }

@@ -1,0 +1,209 @@
+//! What can be watched of a motion: states, flow angles, path, attitude of the path and load factors, all linear in the
+//! disturbance.
+
+use nalgebra::{Vector2, Vector4};
+
+use super::plane::{Plane, PlaneModel};
+use super::response::{Forced, Response};
+use super::states::{Lateral, Longitudinal};
+
+/// Something to watch, as a change from the steady flight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// Forward speed u \[m/s\], faster positive.
+    ForwardSpeed,
+    /// Velocity along z, w \[m/s\], downward positive.
+    DownSpeed,
+    /// Angle of attack relative to the air α \[rad\], wind from below positive: in a gust, of the gust as well.
+    AngleOfAttack,
+    /// Pitch rate q \[rad/s\], nose-up positive.
+    PitchRate,
+    /// Pitch angle θ \[rad\], nose-up positive.
+    PitchAngle,
+    /// Flight-path angle γ \[rad\], climbing positive; of the path over the Earth.
+    PathAngle,
+    /// Load factor normal to the flight path n_z, in units of g, felt pressed into the seat positive.
+    NormalLoad,
+    /// Height h \[m\] gained on the steady flight.
+    Height,
+    /// Distance x \[m\] gained on the steady flight.
+    Distance,
+    /// Sideways velocity v \[m/s\], to the right positive.
+    SideSpeed,
+    /// Sideslip relative to the air β \[rad\], wind from the right positive.
+    Sideslip,
+    /// Roll rate p \[rad/s\], right wing down positive.
+    RollRate,
+    /// Yaw rate r \[rad/s\], nose right positive.
+    YawRate,
+    /// Bank angle φ \[rad\], right wing down positive.
+    BankAngle,
+    /// Lateral load factor n_y, in units of g, pushed to the right positive.
+    SideLoad,
+    /// Heading ψ \[rad\], nose right positive.
+    Heading,
+    /// Sideways displacement y \[m\], to the right positive.
+    Offset,
+}
+
+/// An output as a sum: y = c · x + k · path + Σ (d δ + ḋ δ̇) over the inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutputRow {
+    /// c, of the states.
+    pub states: Vector4<f64>,
+    /// k, of the path.
+    pub path: Vector2<f64>,
+    /// (d, ḋ) of each input and its rate.
+    pub inputs: Vec<(f64, f64)>,
+}
+
+impl Output {
+    /// Those of a plane, states first.
+    pub const fn of(plane: Plane) -> &'static [Self] {
+        match plane {
+            Plane::Longitudinal => &[
+                Self::ForwardSpeed,
+                Self::AngleOfAttack,
+                Self::PitchRate,
+                Self::PitchAngle,
+                Self::PathAngle,
+                Self::NormalLoad,
+                Self::Height,
+                Self::Distance,
+                Self::DownSpeed,
+            ],
+            Plane::Lateral => &[
+                Self::Sideslip,
+                Self::RollRate,
+                Self::YawRate,
+                Self::BankAngle,
+                Self::Heading,
+                Self::SideLoad,
+                Self::Offset,
+                Self::SideSpeed,
+            ],
+        }
+    }
+
+    /// The plane in which it moves.
+    pub const fn plane(self) -> Plane {
+        match self {
+            Self::ForwardSpeed
+            | Self::DownSpeed
+            | Self::AngleOfAttack
+            | Self::PitchRate
+            | Self::PitchAngle
+            | Self::PathAngle
+            | Self::NormalLoad
+            | Self::Height
+            | Self::Distance => Plane::Longitudinal,
+            Self::SideSpeed
+            | Self::Sideslip
+            | Self::RollRate
+            | Self::YawRate
+            | Self::BankAngle
+            | Self::SideLoad
+            | Self::Heading
+            | Self::Offset => Plane::Lateral,
+        }
+    }
+
+    /// The output as a sum over states, path and inputs. An output of the other plane is zero.
+    pub fn row(self, model: &PlaneModel, forced: &Forced) -> OutputRow {
+        let trim = &model.trim;
+        let (u0, w0, v) = (trim.u0(), trim.w0(), trim.speed);
+        let mut row = OutputRow {
+            states: Vector4::zeros(),
+            path: Vector2::zeros(),
+            inputs: vec![(0.0, 0.0); forced.forcings.len()],
+        };
+        if self.plane() != model.plane {
+            return row;
+        }
+        use Lateral::{P, Phi, R, V};
+        use Longitudinal::{Q, Theta, U, W};
+        match self {
+            Self::ForwardSpeed => row.states[U.index()] = 1.0,
+            Self::DownSpeed => row.states[W.index()] = 1.0,
+            Self::PitchRate => row.states[Q.index()] = 1.0,
+            Self::PitchAngle => row.states[Theta.index()] = 1.0,
+            Self::SideSpeed => row.states[V.index()] = 1.0,
+            Self::RollRate => row.states[P.index()] = 1.0,
+            Self::YawRate => row.states[R.index()] = 1.0,
+            Self::BankAngle => row.states[Phi.index()] = 1.0,
+            Self::Distance | Self::Heading => row.path[0] = 1.0,
+            Self::Height | Self::Offset => row.path[1] = 1.0,
+            Self::AngleOfAttack => {
+                // α = ((w − w_g) U₀ − (u − u_g) W₀)/V²
+                row.states = Vector4::new(-w0, u0, 0.0, 0.0) / (v * v);
+                row.subtract_air(forced);
+            }
+            Self::Sideslip => {
+                // β = (v − v_g)/V
+                row.states[V.index()] = 1.0 / v;
+                row.subtract_air(forced);
+            }
+            Self::PathAngle => {
+                // γ = θ − (w U₀ − u W₀)/V²: how the path climbs, whatever the air does
+                row.states = Vector4::new(w0, -u0, 0.0, v * v) / (v * v);
+            }
+            Self::NormalLoad => {
+                // f_z = ẇ − U₀ q + g sin θ₀ θ,   n_z = −f_z/g
+                row.add_rate(forced, W.index());
+                row.states[Q.index()] -= u0;
+                row.states[Theta.index()] += trim.gravity * trim.theta0().sin();
+                row.scale(-1.0 / trim.gravity);
+            }
+            Self::SideLoad => {
+                // f_y = v̇ + U₀ r − W₀ p − g cos θ₀ φ,   n_y = f_y/g
+                row.add_rate(forced, V.index());
+                row.states[R.index()] += u0;
+                row.states[P.index()] -= w0;
+                row.states[Phi.index()] -= trim.gravity * trim.theta0().cos();
+                row.scale(1.0 / trim.gravity);
+            }
+        }
+        row
+    }
+}
+
+impl OutputRow {
+    /// The rate of a state, from its equation.
+    fn add_rate(&mut self, forced: &Forced, state: usize) {
+        self.states += forced.a.row(state).transpose();
+        for (input, forcing) in self.inputs.iter_mut().zip(&forced.forcings) {
+            input.0 += forcing.column[state];
+            input.1 += forcing.rate_column[state];
+        }
+    }
+
+    /// For a flow angle: what is felt is the velocity relative to the air.
+    fn subtract_air(&mut self, forced: &Forced) {
+        for (input, forcing) in self.inputs.iter_mut().zip(&forced.forcings) {
+            input.0 -= self.states.dot(&forcing.air);
+        }
+    }
+
+    fn scale(&mut self, factor: f64) {
+        self.states *= factor;
+        for input in &mut self.inputs {
+            *input = (input.0 * factor, input.1 * factor);
+        }
+    }
+
+    /// Its values at the samples of a response to `forced`.
+    pub fn of<'a>(&'a self, forced: &'a Forced, response: &'a Response) -> impl Iterator<Item = f64> + 'a {
+        response.states.iter().zip(&response.path).enumerate().map(move |(k, (x, path))| {
+            self.states.dot(x) + self.path.dot(path) + self.direct(forced, k as f64 * response.dt)
+        })
+    }
+
+    /// The part that the inputs make at once, without the aircraft having moved, at time t \[s\].
+    pub fn direct(&self, forced: &Forced, t: f64) -> f64 {
+        let parts = self.inputs.iter().zip(&forced.forcings);
+        parts
+            .filter(|((d, of_rate), _)| *d != 0.0 || *of_rate != 0.0)
+            .map(|((d, of_rate), forcing)| d * forcing.input.at(t) + of_rate * forcing.input.rate(t))
+            .sum()
+    }
+}

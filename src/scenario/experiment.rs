@@ -1,0 +1,75 @@
+//! The experiment that a scenario describes, in the terms of the core.
+
+use super::{Scenario, Source};
+use crate::flight::analysis::{Motion, forced};
+use crate::flight::inputs::Input;
+use crate::flight::plane::Plane;
+use crate::flight::response::{Forced, TimeGrid};
+use crate::flight::study::Study;
+use crate::flight::turbulence::{Dryden, Severity};
+use crate::flight::{Channel, Experiment, Start};
+
+/// Intervals between the samples of a response: one a pixel or finer on a wide screen.
+const STEPS: usize = 1200;
+
+/// Time between the samples of turbulence \[s\]: an aircraft at 200 m/s meets air 10 m apart, less than its length. It doesn't
+/// depend on the time shown, so that showing more of it doesn't change the air.
+const TURBULENCE_STEP: f64 = 0.05;
+
+/// Turbulence is that of this height above the ground at least \[m\], 1000 ft: below it changes with every metre, and no source
+/// says how high the ground is.
+const LEAST_HEIGHT: f64 = 304.8;
+
+impl Scenario {
+    /// The experiment on the plane on screen.
+    pub fn experiment(&self) -> Experiment {
+        let disturbance = &self.disturbance;
+        let plane = self.plane;
+        let duration = disturbance.sizes.time;
+        let (steps, inputs) = if disturbance.choice(plane).source == Source::Turbulence {
+            // Samples of the motion fall on those of the air.
+            let steps = (duration / TURBULENCE_STEP).round().max(1.0);
+            (steps as usize, self.turbulence(steps as usize + 1))
+        } else {
+            (STEPS, disturbance.input(plane).into_iter().collect())
+        };
+        let grid = TimeGrid { duration, steps };
+        Experiment { plane, inputs, start: disturbance.start(plane), grid }
+    }
+
+    /// Air of Dryden's form, with the chosen σ_w and the lengths and proportions of the altitude.
+    fn turbulence(&self, count: usize) -> Vec<(Channel, Input)> {
+        let sizes = &self.disturbance.sizes;
+        let (speed, altitude) = match &self.edited.study {
+            Study::Coefficients(study) => (study.condition.speed, study.condition.altitude),
+            Study::Derivatives(_) | Study::Matrices(_) => {
+                (self.aircraft.speed(), self.aircraft.particulars.altitude.unwrap_or(0.0))
+            }
+        };
+        let mut air = Dryden::at(altitude.max(LEAST_HEIGHT), speed, Severity::Moderate);
+        let [_, _, sigma_w] = air.intensity;
+        let factor = if sigma_w > 0.0 { sizes.turbulence * sizes.times / sigma_w } else { 0.0 };
+        air.intensity = air.intensity.map(|sigma| sigma * factor);
+        let dt = sizes.time / (count - 1) as f64;
+        let samples = air.samples(sizes.seed.round() as u64, dt, count);
+        let component =
+            |i: usize| Input::Samples { dt, values: samples.iter().map(|gust| gust[i]).collect() };
+        match self.plane {
+            Plane::Longitudinal => {
+                vec![(Channel::AirAcross, component(2)), (Channel::AirAlong, component(0))]
+            }
+            Plane::Lateral => vec![(Channel::AirAcross, component(1))],
+        }
+    }
+
+    /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of.
+    pub fn driven_channel(&self) -> Channel {
+        self.experiment().inputs.first().map_or(Channel::First, |(channel, _)| *channel)
+    }
+
+    /// The equations of a motion, driven by a unit of what disturbs it.
+    pub fn driven(&self, motion: &Motion) -> Forced {
+        let unit = Input::Step { amplitude: 1.0, start: 0.0 };
+        forced(&self.edited, &motion.model, &[(self.driven_channel(), unit)], Start::Rest, &[])
+    }
+}

@@ -1,0 +1,122 @@
+//! The numbers a course asks of the motion on screen.
+
+use egui::{Grid, RichText, ScrollArea, Ui};
+
+use super::studied::{Studied, units};
+use crate::flight::figures::{
+    control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
+};
+use crate::flight::inputs::Input;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::number::significant;
+use crate::scenario::{START, Source};
+use crate::ui::symbol::{Symbol, symbol_ui};
+use crate::ui::theme::{self, Palette};
+
+/// A table of every output, and what concerns the whole motion.
+pub fn figures_ui(ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>) {
+    ScrollArea::vertical().id_salt("figures").auto_shrink(false).show(ui, |ui| {
+        let mut lines = whole(studied);
+        if let Some(ghost) = ghost {
+            lines.extend(whole(ghost).into_iter().map(|line| format!("{line} (pinned)")));
+        }
+        for line in lines {
+            ui.label(line);
+        }
+        ui.add_space(4.0);
+        table_ui(ui, studied);
+        let about = "Rise: from 10 % to 90 % of the steady value. Settled: within 2 % of it for good. Both only after a step, \
+                     and where every mode dies away.";
+        ui.label(RichText::new(about).font(theme::small()).color(Palette::of(ui).weak));
+    });
+}
+
+/// What concerns the whole motion, a sentence each.
+fn whole(studied: Studied<'_>) -> Vec<String> {
+    let Studied { motion, modes, scenario } = studied;
+    let dt = motion.response.dt;
+    let mut lines = Vec::new();
+    match studied.plane() {
+        Plane::Longitudinal => {
+            if let Some((time, load)) = peak(&motion.values(Output::NormalLoad), dt) {
+                lines.push(format!(
+                    "Largest change of load factor: {} g at {} s",
+                    significant(load, 3),
+                    significant(time, 3)
+                ));
+            }
+            let swing = motion.split(modes, Output::Height).ok();
+            if let Some(swing) = swing.and_then(|height| phugoid_swing(modes, &height)) {
+                lines.push(format!("Phugoid, first swing of the height: {} m", significant(swing, 3)));
+            }
+            let elevator = scenario.disturbance.longitudinal.source == Source::Elevator;
+            let parameter =
+                control_anticipation(&motion.model, modes, &motion.forced, 0).filter(|_| elevator);
+            if let Some(parameter) = parameter {
+                lines.push(format!(
+                    "Control anticipation parameter, from this response: {} rad/s² per g",
+                    significant(parameter, 3)
+                ));
+            }
+        }
+        Plane::Lateral => {
+            if let Some(time) = time_to_bank(&motion.values(Output::BankAngle), dt, START) {
+                lines.push(format!("30° of bank after {} s", significant(time, 3)));
+            }
+            if let Some((time, load)) = peak(&motion.values(Output::SideLoad), dt) {
+                lines.push(format!(
+                    "Largest lateral load factor: {} g at {} s",
+                    significant(load, 2),
+                    significant(time, 3)
+                ));
+            }
+        }
+    }
+    lines
+}
+
+fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
+    let palette = Palette::of(ui);
+    let motion = studied.motion;
+    let amplitude = match motion.forced.forcings.first().map(|forcing| &forcing.input) {
+        Some(Input::Step { amplitude, .. }) => Some(*amplitude),
+        _ => None,
+    };
+    let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| significant(value, 3));
+    let head = |ui: &mut Ui, text: &str| {
+        ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.weak));
+    };
+    Grid::new("figures").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
+        for text in ["", "", "Peak", "at", "Steady", "Rise", "Settled", "Overshoot"] {
+            head(ui, text);
+        }
+        ui.end_row();
+        for &output in Output::of(studied.plane()) {
+            let (quantity, unit_symbol, unit) = units(output, studied.scenario);
+            let values = motion.values(output);
+            let values = &values[..values.len().min(studied.small())];
+            let row = output.row(&motion.model, &motion.forced);
+            let steady =
+                amplitude.and_then(|size| steady_output(studied.modes, &row, &motion.forced, 0, size));
+            let figures = steady.and_then(|steady| step_figures(values, motion.response.dt, START, steady));
+            let most = peak(values, motion.response.dt);
+            symbol_ui(ui, &Symbol::parse(quantity.symbol), 14.0, palette.text, None);
+            ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
+                .on_hover_text(quantity.name);
+            ui.label(number(most.map(|(_, value)| value / unit)));
+            ui.label(most.map_or_else(String::new, |(time, _)| format!("{} s", significant(time, 3))));
+            ui.label(number(steady.map(|value| value / unit)));
+            let seconds = |time: Option<f64>| {
+                time.map_or_else(|| "–".to_owned(), |t| format!("{} s", significant(t, 3)))
+            };
+            ui.label(seconds(figures.and_then(|f| f.rise_time)));
+            ui.label(seconds(figures.and_then(|f| f.settling_time)));
+            ui.label(
+                figures
+                    .map_or_else(|| "–".to_owned(), |f| format!("{} %", significant(100.0 * f.overshoot, 3))),
+            );
+            ui.end_row();
+        }
+    });
+}

@@ -1,0 +1,161 @@
+//! The frequency response of the input at work: gain and phase over frequency, with the peaks that the oscillations make.
+
+use egui::{RichText, Ui};
+use egui_plot::PlotPoint;
+
+use super::plot::{Curve, Picture, SmallPlot, Stroke};
+use super::studied::{Studied, input_words, units};
+use super::time::grid;
+use super::{index, output_ui};
+use crate::content::LengthUnit;
+use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_response, peaks};
+use crate::flight::modes::Mode;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::number::significant;
+use crate::ui::derivatives::Rows;
+use crate::ui::theme::{self, Palette};
+
+/// Points over all frequencies: finer than a screen can tell between peaks.
+const POINTS: usize = 400;
+
+/// The output watched, of each plane.
+#[derive(Debug)]
+pub struct FrequencyPlots {
+    outputs: [Output; 2],
+    gain: SmallPlot,
+    phase: SmallPlot,
+}
+
+impl Default for FrequencyPlots {
+    fn default() -> Self {
+        Self {
+            outputs: [Output::PitchRate, Output::Sideslip],
+            gain: SmallPlot::default(),
+            phase: SmallPlot::default(),
+        }
+    }
+}
+
+/// A frequency response in shown units.
+struct Bode {
+    points: Vec<FrequencyPoint>,
+    peaks: Vec<Peak>,
+    /// Output over input: one shown unit of gain in SI.
+    unit: f64,
+}
+
+impl FrequencyPlots {
+    /// Which output.
+    pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
+        ui.label("Gain and phase of");
+        output_ui(ui, "Output of the frequency response", plane, &mut self.outputs[index(plane)]);
+    }
+
+    /// Draws gain and phase.
+    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
+        let palette = Palette::of(ui);
+        let output = self.outputs[index(studied.plane())];
+        let channel = studied.scenario.driven_channel();
+        let (input, _, dimension, _) = input_words(studied.plane(), channel);
+        let (quantity, unit, _) = units(output, studied.scenario);
+        let input_unit = dimension.symbol(LengthUnit::Metre);
+        let range = frequencies(studied.modes);
+        let pinned = ghost.map(|ghost| bode(ghost, output, range));
+        let bode = bode(studied, output, range);
+        peaks_ui(ui, &bode, unit, input_unit);
+
+        let decibels = |bode: &Bode, name, color, stroke| {
+            curve(bode, name, color, stroke, |point| 20.0 * (point.value.norm() / bode.unit).log10())
+        };
+        let degrees = |bode: &Bode, name, color, stroke| {
+            curve(bode, name, color, stroke, |point| point.phase.to_degrees())
+        };
+        let with_ghost = |of: &dyn Fn(&Bode, &'static str, egui::Color32, Stroke) -> Curve| {
+            let mut curves = vec![of(&bode, "linear", palette.text, Stroke::Full)];
+            if let Some(pinned) = &pinned {
+                curves.push(of(pinned, "pinned", palette.ghost, Stroke::Dashed));
+            }
+            curves
+        };
+        let gain_unit = format!("dB of {unit} per {input_unit}");
+        let symbol = format!("{}/{input}", quantity.symbol);
+        let uprights: Vec<_> = studied
+            .modes
+            .iter()
+            .filter_map(|mode| Some((mode.natural_frequency()?.log10(), palette.mode(mode.naming.name))))
+            .collect();
+        let picture = |unit, curves, with_zero| Picture {
+            against: ("ω", "rad/s"),
+            uprights: uprights.clone(),
+            x_range: Some(range.0.log10()..=range.1.log10()),
+            logarithmic: true,
+            with_zero,
+            ..Picture::of_time(&symbol, unit, curves)
+        };
+        let dots = bode
+            .peaks
+            .iter()
+            .map(|peak| {
+                let gain = 20.0 * (peak.gain / bode.unit).log10();
+                (PlotPoint::new(peak.frequency.log10(), gain), palette.mode(peak.mode))
+            })
+            .collect();
+        let gain = Picture { dots, ..picture(&gain_unit, with_ghost(&decibels), false) };
+        let phase = picture("deg", with_ghost(&degrees), false);
+        let places = grid(ui, 2, rows);
+        self.gain.show(ui, places[0], &gain, None);
+        self.phase.show(ui, places[1], &phase, None);
+    }
+}
+
+/// Two decades beyond the modes at most, on whole decades.
+fn frequencies(modes: &[Mode]) -> (f64, f64) {
+    let sizes = modes.iter().map(|mode| mode.lambda.norm()).filter(|size| *size > 1e-4);
+    let (low, high) = sizes.fold((1.0_f64, 1.0_f64), |(low, high), size| (low.min(size), high.max(size)));
+    (10_f64.powf((0.5 * low).log10().floor()), 10_f64.powf((2.0 * high).log10().ceil().min(4.0)))
+}
+
+fn bode(studied: Studied<'_>, output: Output, range: (f64, f64)) -> Bode {
+    let forced = studied.scenario.driven(studied.motion);
+    let row = output.row(&studied.motion.model, &forced);
+    let points = frequency_response(&forced, &row, 0, range, POINTS);
+    let peaks = peaks(&forced, &row, 0, &points, studied.modes);
+    let (_, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
+    let (_, _, unit) = units(output, studied.scenario);
+    Bode { points, peaks, unit: unit / dimension.in_si(LengthUnit::Metre) }
+}
+
+fn curve(
+    bode: &Bode,
+    name: &'static str,
+    color: egui::Color32,
+    stroke: Stroke,
+    value: impl Fn(&FrequencyPoint) -> f64,
+) -> Curve {
+    let point =
+        |point: &FrequencyPoint| PlotPoint::new(point.frequency.log10(), value(point).clamp(-400.0, 4e4));
+    let points: Vec<PlotPoint> = bode.points.iter().map(point).collect();
+    Curve { name, drawn: points.len(), points, color, stroke }
+}
+
+fn peaks_ui(ui: &mut Ui, bode: &Bode, unit: &str, input_unit: &str) {
+    let palette = Palette::of(ui);
+    ui.horizontal_wrapped(|ui| {
+        if bode.peaks.is_empty() {
+            ui.label(
+                RichText::new("No peak: no oscillation of this output stands out.").font(theme::small()),
+            );
+        }
+        for peak in &bode.peaks {
+            let text = format!(
+                "{} peak: {} {unit} per {input_unit} at {} rad/s",
+                peak.mode.text(),
+                significant(peak.gain / bode.unit, 3),
+                significant(peak.frequency, 3)
+            );
+            ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.mode(peak.mode)));
+            ui.add_space(10.0);
+        }
+    });
+}

@@ -1,0 +1,132 @@
+//! The response pane: which disturbance, how strong, and the motion that follows: over time, as phase portraits, over frequency,
+//! and in numbers.
+
+mod disturbance;
+mod figures;
+mod frequency;
+mod phase;
+mod plot;
+mod studied;
+mod time;
+
+use egui::{RichText, Ui};
+
+use super::derivatives::Rows;
+use super::theme::{self, Palette};
+use crate::flight::modes::Mode;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::number::significant;
+use crate::scenario::{Quantity, Scenario};
+
+pub use studied::Studied;
+
+/// In which way the motion is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Tab {
+    #[default]
+    Time,
+    Phase,
+    Frequency,
+    Figures,
+}
+
+impl Tab {
+    const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Figures];
+
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Time => "Time",
+            Self::Phase => "Phase",
+            Self::Frequency => "Frequency",
+            Self::Figures => "Figures",
+        }
+    }
+}
+
+/// The pane as a person has set it up; nothing of it is studied.
+#[derive(Debug, Default)]
+pub struct Responses {
+    tab: Tab,
+    time: time::TimePlots,
+    phase: phase::PhasePlots,
+    frequency: frequency::FrequencyPlots,
+}
+
+impl Responses {
+    /// Heading and choosers; edits the disturbance in place. `modes` are those that can be flown alone.
+    pub fn choosers_ui(&mut self, ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
+        ui.horizontal_wrapped(|ui| {
+            theme::heading(ui, RichText::new("Response to").heading(), 2);
+            disturbance::disturbance_ui(ui, scenario, modes);
+        });
+        ui.horizontal_wrapped(|ui| {
+            for tab in Tab::ALL {
+                ui.selectable_value(&mut self.tab, tab, tab.text());
+            }
+            ui.add_space(8.0);
+            match self.tab {
+                Tab::Time => self.time.choosers_ui(ui, scenario.plane),
+                Tab::Phase => self.phase.choosers_ui(ui, scenario.plane),
+                Tab::Frequency => self.frequency.choosers_ui(ui, scenario.plane),
+                Tab::Figures => {}
+            }
+        });
+    }
+
+    /// Draws the motion over all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
+        if let Some(time) = studied.motion.small_until
+            && self.tab != Tab::Frequency
+        {
+            note_ui(
+                ui,
+                &format!(
+                    "From t = {} s this is no small disturbance any more: the linear model means nothing there.",
+                    significant(time, 3)
+                ),
+            );
+        }
+        match self.tab {
+            Tab::Time => self.time.show(ui, studied, ghost, rows),
+            Tab::Phase => self.phase.show(ui, studied, ghost, rows, self.time.cursor()),
+            Tab::Frequency => self.frequency.show(ui, studied, ghost, rows),
+            Tab::Figures => figures::figures_ui(ui, studied, ghost),
+        }
+    }
+}
+
+/// A line that says what is the matter.
+fn note_ui(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).bad));
+}
+
+/// A chooser of one output.
+fn output_ui(ui: &mut Ui, name: &str, plane: Plane, output: &mut Output) {
+    let now = Quantity::of(*output);
+    let chooser = egui::ComboBox::from_id_salt(name).width(56.0).selected_text(word(now));
+    let chooser = chooser.show_ui(ui, |ui| {
+        for &other in Output::of(plane) {
+            let quantity = Quantity::of(other);
+            let text = format!("{} · {}", word(quantity), quantity.name);
+            if ui.selectable_label(*output == other, text).clicked() {
+                *output = other;
+                ui.close();
+            }
+        }
+    });
+    theme::name_chooser(chooser, name, now.name);
+}
+
+/// A quantity's symbol as plain text.
+fn word(quantity: Quantity) -> String {
+    super::symbol::Symbol::parse(quantity.symbol).plain()
+}
+
+/// Index of a plane in what is kept one a plane.
+const fn index(plane: Plane) -> usize {
+    match plane {
+        Plane::Longitudinal => 0,
+        Plane::Lateral => 1,
+    }
+}

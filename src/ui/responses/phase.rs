@@ -1,0 +1,87 @@
+//! Phase portraits: one quantity over another, time only along the path.
+
+use egui::Ui;
+use egui_plot::PlotPoint;
+
+use super::plot::{Curve, Picture, SmallPlot, Stroke};
+use super::studied::{Studied, units};
+use super::time::grid;
+use super::{index, output_ui};
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::ui::derivatives::Rows;
+use crate::ui::theme::Palette;
+
+/// Two portraits of each plane, (over, of): one for the fast mode, one for the slow.
+#[derive(Debug)]
+pub struct PhasePlots {
+    pairs: [[(Output, Output); 2]; 2],
+    plots: [SmallPlot; 2],
+}
+
+impl Default for PhasePlots {
+    fn default() -> Self {
+        Self {
+            pairs: [
+                [(Output::AngleOfAttack, Output::PitchRate), (Output::ForwardSpeed, Output::PitchAngle)],
+                [(Output::Sideslip, Output::RollRate), (Output::Sideslip, Output::YawRate)],
+            ],
+            plots: Default::default(),
+        }
+    }
+}
+
+impl PhasePlots {
+    /// Which pairs.
+    pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
+        let names = [
+            ("Left portrait, upward", "Left portrait, across"),
+            ("Right portrait, upward", "Right portrait, across"),
+        ];
+        for ((over, of), (upward, across)) in self.pairs[index(plane)].iter_mut().zip(names) {
+            output_ui(ui, upward, plane, of);
+            ui.label("against");
+            output_ui(ui, across, plane, over);
+            ui.add_space(12.0);
+        }
+    }
+
+    /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\].
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        studied: Studied<'_>,
+        ghost: Option<Studied<'_>>,
+        rows: Rows,
+        cursor: Option<f64>,
+    ) {
+        let palette = Palette::of(ui);
+        let pairs = self.pairs[index(studied.plane())];
+        let places = grid(ui, pairs.len(), rows);
+        for ((plot, (over, of)), place) in self.plots.iter_mut().zip(pairs).zip(places) {
+            let (across, across_unit, across_si) = units(over, studied.scenario);
+            let (upward, upward_unit, upward_si) = units(of, studied.scenario);
+            let path = |studied: Studied<'_>, name, color, stroke| {
+                let values = studied.motion.values(over).into_iter().zip(studied.motion.values(of));
+                let points = values.map(|(x, y)| PlotPoint::new(x / across_si, y / upward_si)).collect();
+                Curve { name, points, drawn: studied.small(), color, stroke }
+            };
+            let mut curves = vec![path(studied, "linear", palette.text, Stroke::Full)];
+            if let Some(ghost) = ghost {
+                curves.push(path(ghost, "pinned", palette.ghost, Stroke::Dashed));
+            }
+            let mut dots = vec![(PlotPoint::new(0.0, 0.0), palette.weak)];
+            let now = cursor.and_then(|time| {
+                let k = (time / studied.motion.response.dt).round() as usize;
+                curves[0].points.get(k).copied()
+            });
+            dots.extend(now.map(|place| (place, palette.text)));
+            let picture = Picture {
+                against: (across.symbol, across_unit),
+                dots,
+                ..Picture::of_time(upward.symbol, upward_unit, curves)
+            };
+            plot.show(ui, place, &picture, None);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! A scenario with what follows from it, as curves in shown units.
+
+use egui::Color32;
+use egui_plot::PlotPoint;
+
+use super::plot::{Curve, Stroke};
+use crate::content::LengthUnit;
+use crate::flight::Channel;
+use crate::flight::analysis::Motion;
+use crate::flight::modal_sum::SplitError;
+use crate::flight::modes::Mode;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::scenario::{Dimension, Quantity, Scenario};
+use crate::ui::theme::Palette;
+
+/// A scenario with what follows from it.
+#[derive(Clone, Copy, Debug)]
+pub struct Studied<'a> {
+    /// What is studied.
+    pub scenario: &'a Scenario,
+    /// The motion that follows.
+    pub motion: &'a Motion,
+    /// The modes of its model.
+    pub modes: &'a [Mode],
+}
+
+impl Studied<'_> {
+    /// The plane of motion.
+    pub fn plane(&self) -> Plane {
+        self.motion.model.plane
+    }
+
+    /// How many samples, from the first, are of a small disturbance, and the one after.
+    pub fn small(&self) -> usize {
+        let response = &self.motion.response;
+        self.motion
+            .small_until
+            .map_or(response.states.len(), |time| (time / response.dt).round() as usize + 1)
+    }
+
+    /// Time of the last sample wanted \[s\].
+    pub fn duration(&self) -> f64 {
+        self.scenario.disturbance.sizes.time
+    }
+
+    /// An output as a curve of time.
+    pub fn curve(&self, output: Output, unit: f64, stroke: Stroke, color: Color32) -> Curve {
+        let name = if stroke == Stroke::Full { "linear" } else { "pinned" };
+        self.timed(name, self.motion.values(output), unit, stroke, color)
+    }
+
+    /// The parts of the modes of an output, each in its colour.
+    pub fn parts(&self, output: Output, unit: f64, palette: &Palette) -> Result<Vec<Curve>, SplitError> {
+        let sum = self.motion.split(self.modes, output)?;
+        let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let whole = sum.parts.iter().map(|part| largest(part)).fold(0.0, f64::max);
+        let mut curves: Vec<Curve> = self
+            .modes
+            .iter()
+            .zip(sum.parts)
+            .map(|(mode, part)| {
+                let name = mode.naming.name;
+                self.timed(name.text(), part, unit, Stroke::Part, palette.mode(name))
+            })
+            .collect();
+        // Rounding is no part.
+        if largest(&sum.rest) > 1e-6 * whole {
+            curves.push(self.timed("no mode", sum.rest, unit, Stroke::Part, palette.ghost));
+        }
+        Ok(curves)
+    }
+
+    fn timed(
+        &self,
+        name: &'static str,
+        values: Vec<f64>,
+        unit: f64,
+        stroke: Stroke,
+        color: Color32,
+    ) -> Curve {
+        let dt = self.motion.response.dt;
+        let point = |(k, value): (usize, f64)| PlotPoint::new(k as f64 * dt, value / unit);
+        let points = values.into_iter().enumerate().map(point).collect();
+        Curve { name, points, drawn: self.small(), color, stroke }
+    }
+
+    /// The inputs as they are, their edges upright, with symbol and dimension of the first; none where nothing moves.
+    pub fn inputs(&self, palette: &Palette) -> Option<(&'static str, Dimension, Vec<Curve>)> {
+        let experiment = self.scenario.experiment();
+        let end = experiment.grid.duration;
+        let mut shown = None;
+        let mut curves = Vec::new();
+        for (i, (channel, input)) in experiment.inputs.iter().enumerate() {
+            let (symbol, name, dimension, sign) = input_words(self.plane(), *channel);
+            let unit = sign * dimension.in_si(LengthUnit::Metre);
+            let mut times: Vec<f64> = (0..=experiment.grid.steps).map(|k| experiment.grid.time(k)).collect();
+            for edge in input.edges().filter(|&edge| edge > 0.0 && edge < end) {
+                // On either side of it, so that it stands upright.
+                times.extend([edge - 1e-9 * end, edge]);
+            }
+            times.sort_by(f64::total_cmp);
+            let points: Vec<PlotPoint> =
+                times.into_iter().map(|t| PlotPoint::new(t, input.at(t) / unit)).collect();
+            let (color, stroke) =
+                if i == 0 { (palette.text, Stroke::Full) } else { (palette.weak, Stroke::Dashed) };
+            curves.push(Curve { name, drawn: points.len(), points, color, stroke });
+            shown.get_or_insert((symbol, dimension));
+        }
+        shown.map(|(symbol, dimension)| (symbol, dimension, curves))
+    }
+}
+
+/// Symbol, name, dimension and the sign in which an input is shown: gusts as a pilot speaks of them, against z and x.
+pub const fn input_words(plane: Plane, channel: Channel) -> (&'static str, &'static str, Dimension, f64) {
+    match (plane, channel) {
+        (Plane::Longitudinal, Channel::First) => ("δ_e", "elevator", Dimension::Angle, 1.0),
+        (Plane::Longitudinal, Channel::Second) => ("δ_t", "throttle", Dimension::Percent, 1.0),
+        (Plane::Lateral, Channel::First) => ("δ_a", "aileron", Dimension::Angle, 1.0),
+        (Plane::Lateral, Channel::Second) => ("δ_r", "rudder", Dimension::Angle, 1.0),
+        (_, Channel::AirAlong) => ("u_g", "air from ahead", Dimension::AirSpeed, -1.0),
+        (Plane::Longitudinal, Channel::AirAcross) => ("w_g", "rising air", Dimension::AirSpeed, -1.0),
+        (Plane::Lateral, Channel::AirAcross) => ("v_g", "air to the right", Dimension::AirSpeed, 1.0),
+    }
+}
+
+/// Symbol, unit's symbol, and one of the unit in SI.
+pub fn units(output: Output, scenario: &Scenario) -> (Quantity, &'static str, f64) {
+    let quantity = Quantity::of(output);
+    let length = scenario.aircraft.length_unit;
+    (quantity, quantity.dimension.symbol(length), quantity.dimension.in_si(length))
+}

@@ -1,0 +1,147 @@
+//! The motion over time: small multiples on one time axis with one cursor, whole or split into its modes.
+
+use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
+
+use super::plot::{Picture, SmallPlot, Stroke};
+use super::studied::{Studied, units};
+use super::{index, note_ui, word};
+use crate::content::LengthUnit;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::scenario::Quantity;
+use crate::ui::derivatives::Rows;
+use crate::ui::theme::Palette;
+
+/// Least height of a small plot \[points\].
+const LEAST_HEIGHT: f32 = 120.0;
+const GAP: Vec2 = Vec2::new(12.0, 6.0);
+
+/// The plots over time as a person has set them up.
+#[derive(Debug)]
+pub struct TimePlots {
+    /// What is shown, of each plane.
+    chosen: [Vec<Output>; 2],
+    /// Whether the parts of the modes are shown.
+    split: bool,
+    plots: Vec<SmallPlot>,
+    /// Time under the pointer \[s\].
+    cursor: Option<f64>,
+}
+
+impl Default for TimePlots {
+    fn default() -> Self {
+        let first = |plane| Output::of(plane)[..5].to_vec();
+        let mut longitudinal = first(Plane::Longitudinal);
+        longitudinal[4] = Output::Height;
+        Self { chosen: [longitudinal, first(Plane::Lateral)], split: false, plots: Vec::new(), cursor: None }
+    }
+}
+
+impl TimePlots {
+    /// Time at which the pointer is \[s\].
+    pub fn cursor(&self) -> Option<f64> {
+        self.cursor
+    }
+
+    /// Which outputs, and whether split.
+    pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
+        let chosen = &mut self.chosen[index(plane)];
+        let button = egui::containers::menu::MenuButton::new("Show ▾").config(
+            egui::containers::menu::MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside),
+        );
+        let (response, _) = button.ui(ui, |ui| {
+            for &output in Output::of(plane) {
+                let quantity = Quantity::of(output);
+                let mut on = chosen.contains(&output);
+                if ui.checkbox(&mut on, format!("{} · {}", word(quantity), quantity.name)).clicked() {
+                    if on {
+                        chosen.push(output);
+                    } else if chosen.len() > 1 {
+                        chosen.retain(|other| *other != output);
+                    }
+                    // In the order of the list, whatever the order of the clicks.
+                    chosen.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
+                }
+            }
+        });
+        response.on_hover_text("Which quantities are shown");
+        ui.checkbox(&mut self.split, "Split into modes").on_hover_text(
+            "Every linear motion is a sum of its modes: each in its colour, together the dark line",
+        );
+    }
+
+    /// Draws the plots over all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
+        let palette = Palette::of(ui);
+        let chosen = &self.chosen[index(studied.plane())];
+        let mut pictures: Vec<Picture<'_>> = Vec::new();
+        let mut unsplit = None;
+        for &output in chosen {
+            let (quantity, symbol, unit) = units(output, studied.scenario);
+            let mut curves = vec![studied.curve(output, unit, Stroke::Full, palette.text)];
+            if self.split {
+                match studied.parts(output, unit, palette) {
+                    Ok(parts) => curves.extend(parts),
+                    Err(error) => unsplit = Some(error),
+                }
+            }
+            if let Some(ghost) = ghost {
+                // The pinned state is drawn in the units of the one on screen.
+                curves.push(ghost.curve(output, unit, Stroke::Dashed, palette.ghost));
+            }
+            pictures.push(Picture::of_time(quantity.symbol, symbol, curves));
+        }
+        if let Some((symbol, dimension, curves)) = studied.inputs(palette) {
+            pictures.push(Picture::of_time(symbol, dimension.symbol(LengthUnit::Metre), curves));
+        }
+        if let Some(error) = unsplit {
+            note_ui(ui, &format!("No split into modes: {error}."));
+        }
+        let duration = studied.duration().max(1e-3);
+        let beyond = studied.motion.small_until.map(|time| time..=duration);
+        let last = pictures.len();
+        for (i, picture) in pictures.iter_mut().enumerate() {
+            picture.x_range = Some(0.0..=duration);
+            if i + 1 < last || studied.inputs(palette).is_none() {
+                picture.beyond = beyond.clone();
+            }
+        }
+        let places = grid(ui, pictures.len(), rows);
+        self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);
+        let before = self.cursor;
+        let mut cursor = None;
+        for ((plot, picture), place) in self.plots.iter_mut().zip(&pictures).zip(places) {
+            cursor = plot.show(ui, place, picture, before).or(cursor);
+        }
+        self.cursor = cursor;
+        if before != cursor {
+            // The plots drawn before the pointer's see it in the next frame.
+            ui.request_repaint();
+        }
+    }
+}
+
+/// Places for `count` plots, in the order of reading, over all the room there is.
+pub fn grid(ui: &mut Ui, count: usize, rows: Rows) -> Vec<Rect> {
+    let width = ui.available_width();
+    let columns = match rows {
+        Rows::Touch => 1,
+        Rows::Dense if width > 620.0 && count > 4 => 3,
+        Rows::Dense => 2,
+    };
+    let columns = columns.min(count.max(1));
+    let down = count.div_ceil(columns).max(1);
+    let least = LEAST_HEIGHT * down as f32;
+    let height = if rows == Rows::Touch { least } else { ui.available_height().max(least) };
+    let (area, _) = ui.allocate_exact_size(Vec2::new(width, height), egui::Sense::hover());
+    let cell = Vec2::new(
+        (area.width() - GAP.x * (columns as f32 - 1.0)) / columns as f32,
+        (area.height() - GAP.y * (down as f32 - 1.0)) / down as f32,
+    );
+    (0..count)
+        .map(|i| {
+            let (row, column) = ((i / columns) as f32, (i % columns) as f32);
+            Rect::from_min_size(area.min + Vec2::new(column * (cell.x + GAP.x), row * (cell.y + GAP.y)), cell)
+        })
+        .collect()
+}

@@ -1,0 +1,205 @@
+//! Every linear motion is the sum of its modes.
+
+use std::sync::Arc;
+
+use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::analysis::Motion;
+use eigenwing::flight::modal_sum::{SplitError, WORST_SPLIT};
+use eigenwing::flight::modes::{Mode, modes};
+use eigenwing::flight::outputs::Output;
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::{Parameter, Scenario, Source};
+
+fn scenarios() -> impl Iterator<Item = Scenario> {
+    let (aircraft, errors) = embedded_aircraft();
+    assert!(errors.is_empty());
+    aircraft.into_iter().map(|aircraft| Scenario::new(Arc::new(aircraft)))
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+}
+
+/// Calls `check` with the motion after every disturbance of every aircraft.
+fn for_every_motion(mut check: impl FnMut(&str, &Motion, &[Mode])) {
+    for aircraft in scenarios() {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            for &source in Source::of(plane) {
+                let mut scenario = aircraft.clone();
+                scenario.plane = plane;
+                scenario.disturbance.choice_mut(plane).source = source;
+                let shapes = source.shapes();
+                for k in 0..shapes.len().max(1) {
+                    if let Some(shape) = shapes.get(k) {
+                        *scenario.disturbance.choice_mut(plane).shape_mut() = *shape;
+                    }
+                    // Growing motions stay small enough for a sum to mean something.
+                    scenario.disturbance.sizes.time = 20.0;
+                    let analysis = scenario.analyse().expect("an analysis");
+                    let (Some(Ok(analysed)), Some(motion)) = (analysis.of(plane), &analysis.motion) else {
+                        continue;
+                    };
+                    let name =
+                        format!("{} {}", aircraft.aircraft.key, scenario.disturbance.choice(plane).text());
+                    check(&name, motion, &analysed.modes);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_parts_and_the_rest_add_up_to_every_output_of_every_motion() {
+    let mut splits = 0;
+    for_every_motion(|name, motion, modes| {
+        for &output in Output::of(motion.model.plane) {
+            let whole = motion.values(output);
+            let Ok(sum) = motion.split(modes, output) else { continue };
+            splits += 1;
+            for (k, value) in whole.iter().enumerate().step_by(7) {
+                let parts: f64 = sum.parts.iter().map(|part| part[k]).sum();
+                let off = (parts + sum.rest[k] - value).abs();
+                assert!(off <= 1e-9 * largest(&whole), "{name} {output:?} at {k}: off by {off:e}");
+            }
+        }
+    });
+    assert!(splits > 3000, "{splits}");
+}
+
+/// The rest is no dustbin: of an output that is made of states alone nothing may be left over.
+#[test]
+fn of_the_states_the_modes_alone_are_the_whole() {
+    let mut splits = 0;
+    for_every_motion(|name, motion, modes| {
+        let states = match motion.model.plane {
+            Plane::Longitudinal => {
+                [Output::ForwardSpeed, Output::DownSpeed, Output::PitchRate, Output::PitchAngle]
+            }
+            Plane::Lateral => [Output::SideSpeed, Output::RollRate, Output::YawRate, Output::BankAngle],
+        };
+        for output in states {
+            let Ok(sum) = motion.split(modes, output) else { continue };
+            splits += 1;
+            let peak =
+                largest(&motion.values(output)).max(sum.parts.iter().map(|p| largest(p)).fold(0.0, f64::max));
+            assert!(
+                largest(&sum.rest) <= 1e-9 * peak,
+                "{name} {output:?}: {:e} of {peak:e}",
+                largest(&sum.rest)
+            );
+        }
+    });
+    assert!(splits > 1500, "{splits}");
+}
+
+/// Each part obeys the equation of its own mode, z̈ − 2σ ż + |λ|² z = 0, once the input has gone.
+#[test]
+fn a_part_moves_as_its_mode_does() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    scenario.disturbance.longitudinal.source = Source::Release;
+    scenario.disturbance.sizes.time = 6.0;
+    let analysis = scenario.analyse().expect("an analysis");
+    let motion = analysis.motion.as_ref().expect("a motion");
+    let modes = &analysis.of(Plane::Longitudinal).expect("data").as_ref().expect("modes").modes;
+    for output in [Output::AngleOfAttack, Output::NormalLoad, Output::Height, Output::PathAngle] {
+        let sum = motion.split(modes, output).expect("a split");
+        for (mode, part) in modes.iter().zip(&sum.parts) {
+            let lambda = mode.lambda;
+            let dt = motion.response.dt;
+            let decay = (lambda.re * dt).exp();
+            for three in part.windows(3) {
+                // Exactly: z(t+h) − 2 e^{σh} cos ωh z(t) + e^{2σh} z(t−h) = 0
+                let off =
+                    three[2] - 2.0 * decay * (lambda.im * dt).cos() * three[1] + decay * decay * three[0];
+                assert!(off.abs() <= 1e-12 * largest(part).max(1e-9), "{output:?}: {off:e}");
+            }
+        }
+    }
+}
+
+/// One mode flown alone stays alone: all the other parts are nothing.
+#[test]
+fn one_mode_alone_stays_alone() {
+    for aircraft in scenarios() {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            let mut scenario = aircraft.clone();
+            scenario.plane = plane;
+            scenario.disturbance.choice_mut(plane).source = Source::OneMode;
+            let analysis = scenario.analyse().expect("an analysis");
+            let Some(Ok(analysed)) = analysis.of(plane) else { continue };
+            for index in 0..analysed.modes.len() {
+                scenario.disturbance.choice_mut(plane).mode = index;
+                // Long enough to see it, short enough that rounding in a growing mode stays rounding.
+                let slowest = analysed.modes[index].lambda.norm().max(1e-3);
+                scenario.disturbance.sizes.time = (3.0 / slowest).clamp(2.0, 300.0);
+                let analysis = scenario.analyse().expect("an analysis");
+                let motion = analysis.motion.as_ref().expect("a motion");
+                let Some(Ok(analysed)) = analysis.of(plane) else { unreachable!("it was there") };
+                let Ok(sum) = motion.split(&analysed.modes, Output::of(plane)[2]) else { continue };
+                let own = largest(&sum.parts[index]);
+                for (other, part) in sum.parts.iter().enumerate() {
+                    let growth =
+                        (analysed.modes[other].lambda.re * scenario.disturbance.sizes.time).exp().max(1.0);
+                    assert!(
+                        other == index || largest(part) <= 1e-9 * own * growth,
+                        "{} {}: {:e} of {own:e} in mode {other}",
+                        aircraft.aircraft.key,
+                        analysed.modes[index].naming.name.text(),
+                        largest(part)
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The largest of flow angle and attitude begins at the size asked for.
+#[test]
+fn one_mode_alone_begins_at_its_size() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    scenario.disturbance.longitudinal.source = Source::OneMode;
+    for (mode, output) in [(0, Output::AngleOfAttack), (1, Output::PitchAngle)] {
+        scenario.disturbance.longitudinal.mode = mode;
+        let analysis = scenario.analyse().expect("an analysis");
+        let motion = analysis.motion.expect("a motion");
+        // The short period's pitch angle is a little smaller than its angle of attack; the phugoid is all pitch.
+        let start = motion.values(output)[0];
+        assert!((start - scenario.disturbance.sizes.mode).abs() < 1e-12, "{output:?} begins at {start}");
+    }
+}
+
+#[test]
+fn near_a_repeated_root_the_response_is_exact_and_the_split_says_that_it_means_nothing() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    let stiffness = Parameter::find("cm_alpha").expect("a parameter");
+    // Where the two roots of the short period meet: bisected between a pair and two real roots.
+    let condition_at = |scenario: &mut Scenario, value: f64| {
+        stiffness.set(scenario, value);
+        let model = scenario.edited.models().expect("models").longitudinal.expect("data");
+        let found = modes(&model).expect("modes");
+        (found.len(), found.iter().map(|mode| mode.condition).fold(0.0, f64::max))
+    };
+    let (mut pair, mut apart) = (-0.683, -0.1);
+    for _ in 0..60 {
+        let middle = 0.5 * (pair + apart);
+        if condition_at(&mut scenario, middle).0 == 2 { pair = middle } else { apart = middle }
+    }
+    let (_, condition) = condition_at(&mut scenario, pair);
+    assert!(condition > 1e3 * WORST_SPLIT, "{condition:e}");
+    let analysis = scenario.analyse().expect("an analysis");
+    let motion = analysis.motion.as_ref().expect("a motion");
+    let modes_here = &analysis.of(Plane::Longitudinal).expect("data").as_ref().expect("modes").modes;
+    let error = motion.split(modes_here, Output::AngleOfAttack).expect_err("no split");
+    assert!(matches!(error, SplitError::Dependent { .. }), "{error}");
+    // The response itself passes smoothly through: it is the mean of its neighbours on either side.
+    let at = |value: f64| {
+        let mut scenario = scenario.clone();
+        stiffness.set(&mut scenario, value);
+        scenario.analyse().expect("an analysis").motion.expect("a motion").values(Output::AngleOfAttack)
+    };
+    let (before, here, after) = (at(pair - 1e-5), at(pair), at(pair + 1e-5));
+    let peak = largest(&here);
+    for k in 0..here.len() {
+        assert!((0.5 * (before[k] + after[k]) - here[k]).abs() < 1e-8 * peak, "at {k}");
+    }
+}

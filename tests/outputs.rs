@@ -1,0 +1,313 @@
+//! What is watched of a motion, against what it means.
+
+use std::sync::Arc;
+
+use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::analysis::{Motion, STANDARD_GRAVITY};
+use eigenwing::flight::figures::{
+    control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
+};
+use eigenwing::flight::frequency_response::{frequency_response, peaks, transfer};
+use eigenwing::flight::modes::Mode;
+use eigenwing::flight::naming::ModeName;
+use eigenwing::flight::outputs::Output;
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::{START, Scenario, Shape, Source};
+
+fn scenario(key: &str, plane: Plane, source: Source, shape: Shape) -> Scenario {
+    let (aircraft, _) = embedded_aircraft();
+    let found = aircraft.into_iter().find(|aircraft| aircraft.key == key).expect("an aircraft");
+    let mut scenario = Scenario::new(Arc::new(found));
+    scenario.plane = plane;
+    let choice = scenario.disturbance.choice_mut(plane);
+    choice.source = source;
+    *choice.shape_mut() = shape;
+    scenario
+}
+
+fn motion(scenario: &Scenario) -> (Motion, Vec<Mode>) {
+    let analysis = scenario.analyse().expect("an analysis");
+    let modes = analysis.of(scenario.plane).expect("data").as_ref().expect("modes").modes.clone();
+    (analysis.motion.expect("a motion"), modes)
+}
+
+/// Trapezium rule from zero.
+fn integral(rates: &[f64], dt: f64) -> Vec<f64> {
+    let mut sum = 0.0;
+    let steps = rates.windows(2).map(|pair| {
+        sum += 0.5 * dt * (pair[0] + pair[1]);
+        sum
+    });
+    std::iter::once(0.0).chain(steps).collect()
+}
+
+fn assert_near(got: &[f64], want: &[f64], share: f64, what: &str) {
+    let most = want.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    for (k, (got, want)) in got.iter().zip(want).enumerate() {
+        assert!((got - want).abs() <= share * most, "{what} at {k}: {got} should be {want}");
+    }
+}
+
+#[test]
+fn height_is_the_integral_of_the_climb() {
+    // Level, in stability axes, and diving in body axes.
+    for key in ["navion", "bristol-f2b", "b747-fc9"] {
+        let mut scenario = scenario(key, Plane::Longitudinal, Source::Elevator, Shape::Step);
+        scenario.disturbance.sizes.time = 20.0;
+        let (motion, _) = motion(&scenario);
+        let trim = motion.model.trim;
+        // h = V sin γ and the airspeed along the path is V + (U₀u + W₀w)/V
+        let (gamma, u, w) = (
+            motion.values(Output::PathAngle),
+            motion.values(Output::ForwardSpeed),
+            motion.values(Output::DownSpeed),
+        );
+        let rates: Vec<f64> = (0..u.len())
+            .map(|k| {
+                let along = (trim.u0() * u[k] + trim.w0() * w[k]) / trim.speed;
+                trim.speed * trim.gamma0.cos() * gamma[k] + trim.gamma0.sin() * along
+            })
+            .collect();
+        assert_near(&motion.values(Output::Height), &integral(&rates, motion.response.dt), 1e-4, key);
+    }
+}
+
+#[test]
+fn the_sideways_path_follows_heading_and_sideslip() {
+    for key in ["navion", "bristol-f2b"] {
+        let mut scenario = scenario(key, Plane::Lateral, Source::Rudder, Shape::Doublet);
+        scenario.disturbance.sizes.time = 20.0;
+        scenario.disturbance.sizes.part = 1.0;
+        let (motion, _) = motion(&scenario);
+        let trim = motion.model.trim;
+        let (r, psi, v, phi) = (
+            motion.values(Output::YawRate),
+            motion.values(Output::Heading),
+            motion.values(Output::SideSpeed),
+            motion.values(Output::BankAngle),
+        );
+        let turning: Vec<f64> = r.iter().map(|r| r / trim.theta0().cos()).collect();
+        assert_near(&psi, &integral(&turning, motion.response.dt), 1e-3, key);
+        let sideways: Vec<f64> = (0..v.len())
+            .map(|k| v[k] - trim.w0() * phi[k] + trim.speed * trim.gamma0.cos() * psi[k])
+            .collect();
+        assert_near(&motion.values(Output::Offset), &integral(&sideways, motion.response.dt), 1e-3, key);
+    }
+}
+
+/// In level flight the load factor is the curvature of the path: n_z − 1 = V γ̇/g, felt along the normal.
+#[test]
+fn the_load_factor_is_the_curvature_of_the_path() {
+    let mut scenario = scenario("navion", Plane::Longitudinal, Source::Elevator, Shape::Step);
+    scenario.disturbance.sizes.time = 12.0;
+    let (motion, _) = motion(&scenario);
+    let (gamma, load, dt) =
+        (motion.values(Output::PathAngle), motion.values(Output::NormalLoad), motion.response.dt);
+    let trim = motion.model.trim;
+    for k in 150..gamma.len() - 2 {
+        let rate = (gamma[k - 2] - gamma[k + 2] + 8.0 * (gamma[k + 1] - gamma[k - 1])) / (12.0 * dt);
+        let curvature = trim.speed * rate / trim.gravity;
+        assert!((load[k] - curvature).abs() < 1e-6, "at {k}: {} should be {curvature}", load[k]);
+    }
+}
+
+/// A banked turn without sideslip is felt straight down: n_y has no part of φ once v̇ and r balance it.
+#[test]
+fn in_steady_sideslip_the_seat_pushes_as_hard_as_the_bank_leans() {
+    let mut scenario = scenario("navion", Plane::Lateral, Source::Release, Shape::Step);
+    scenario.disturbance.sizes.released_lateral = [0.1, 0.0, 0.0, 0.0];
+    let (motion, _) = motion(&scenario);
+    // At release nothing turns yet: n_y g = Yv v, the force alone.
+    let v = 0.1 * motion.model.trim.speed;
+    let force = motion.model.a[(0, 0)] * v / motion.model.trim.gravity;
+    assert!((motion.values(Output::SideLoad)[0] - force).abs() < 1e-12);
+    assert!(force < 0.0, "wind from the right pushes to the left");
+}
+
+#[test]
+fn in_a_sharp_gust_the_angle_of_attack_is_felt_at_once() {
+    let scenario = scenario("navion", Plane::Longitudinal, Source::VerticalGust, Shape::Step);
+    let (motion, _) = motion(&scenario);
+    let first = ((START / motion.response.dt).round()) as usize;
+    let felt = motion.values(Output::AngleOfAttack)[first];
+    let speed = motion.model.trim.speed;
+    assert!((felt - scenario.disturbance.sizes.vertical_gust / speed).abs() < 1e-12, "{felt}");
+    // Lift at once: about V Zw w_g/(g V).
+    let load = motion.values(Output::NormalLoad)[first];
+    let expected =
+        -motion.model.a[(1, 1)] * scenario.disturbance.sizes.vertical_gust / motion.model.trim.gravity;
+    assert!((load - expected).abs() < 1e-12 && load > 0.3, "{load}");
+}
+
+/// After a long sine the motion is that of the frequency response: gain and phase, without any eigenvector or inverse.
+#[test]
+fn a_long_sine_ends_as_the_frequency_response_says() {
+    for (key, plane, source, output) in [
+        ("navion", Plane::Longitudinal, Source::Elevator, Output::PitchRate),
+        ("navion", Plane::Longitudinal, Source::Elevator, Output::NormalLoad),
+        ("a4d", Plane::Longitudinal, Source::VerticalGust, Output::AngleOfAttack),
+        ("a4d", Plane::Lateral, Source::Rudder, Output::Sideslip),
+        ("c47", Plane::Lateral, Source::SideGust, Output::SideLoad),
+    ] {
+        let mut scenario = scenario(key, plane, source, Shape::Sine);
+        let sizes = &mut scenario.disturbance.sizes;
+        (sizes.frequency, sizes.lasting, sizes.time) = (2.0, 3000.0, 300.0);
+        let (motion, modes) = motion(&scenario);
+        let row = output.row(&motion.model, &motion.forced);
+        let gain = transfer(&motion.forced, &row, 0, 2.0).expect("a gain");
+        let amplitude = match &motion.forced.forcings[0].input {
+            eigenwing::flight::inputs::Input::Sine { amplitude, .. } => *amplitude,
+            other => unreachable!("{other:?}"),
+        };
+        let values = motion.values(output);
+        let slowest = modes.iter().map(|mode| mode.lambda.re).fold(f64::MIN, f64::max);
+        let left = (slowest * 298.0).exp();
+        for (k, value) in values.iter().enumerate().skip(1150) {
+            let t = k as f64 * motion.response.dt - START;
+            let wanted = amplitude * (gain.norm() * (2.0 * t + gain.arg()).sin());
+            let allowed = (40.0 * left + 1e-9) * amplitude.abs() * gain.norm();
+            assert!((value - wanted).abs() <= allowed, "{key} {output:?} at {k}: {value} should be {wanted}");
+        }
+    }
+}
+
+#[test]
+fn the_peaks_are_the_short_period_and_the_dutch_roll() {
+    let peaks_of = |key, plane, source, output: Output| {
+        let (motion, modes) = motion(&scenario(key, plane, source, Shape::Step));
+        let row = output.row(&motion.model, &motion.forced);
+        let points = frequency_response(&motion.forced, &row, 0, (0.01, 100.0), 400);
+        (peaks(&motion.forced, &row, 0, &points, &modes), modes)
+    };
+    let (found, modes) = peaks_of("navion", Plane::Lateral, Source::Rudder, Output::Sideslip);
+    let dutch = found.iter().find(|peak| peak.mode == ModeName::DutchRoll).expect("a Dutch-roll peak");
+    let mode = modes.iter().find(|mode| mode.naming.name == ModeName::DutchRoll).expect("a Dutch roll");
+    // A lightly damped pair peaks at ωₙ √(1 − 2ζ²).
+    let (wn, zeta) = (mode.natural_frequency().expect("a pair"), mode.damping_ratio().expect("a pair"));
+    assert!((dutch.frequency / (wn * (1.0 - 2.0 * zeta * zeta).sqrt()) - 1.0).abs() < 0.05);
+    let (found, _) = peaks_of("navion", Plane::Longitudinal, Source::Elevator, Output::PitchRate);
+    let names: Vec<ModeName> = found.iter().map(|peak| peak.mode).collect();
+    assert_eq!(names, [ModeName::Phugoid, ModeName::ShortPeriod]);
+}
+
+#[test]
+fn the_figures_of_a_second_order_step_are_the_textbooks() {
+    // y = 1 − e^{−ζωt} (cos ω_d t + ζ/√(1−ζ²) sin ω_d t), ζ = 0.3, ωₙ = 2: overshoot e^{−πζ/√(1−ζ²)} = 37.23 %
+    let (zeta, wn, dt) = (0.3_f64, 2.0, 0.001);
+    let wd = wn * (1.0 - zeta * zeta).sqrt();
+    let y = |t: f64| {
+        1.0 - (-zeta * wn * t).exp() * ((wd * t).cos() + zeta / (1.0 - zeta * zeta).sqrt() * (wd * t).sin())
+    };
+    let values: Vec<f64> = (0..20_000).map(|k| y((k as f64 * dt - 1.0).max(0.0))).collect();
+    let figures = step_figures(&values, dt, 1.0, 1.0).expect("figures");
+    assert!((figures.overshoot - 0.372_326).abs() < 1e-5, "{}", figures.overshoot);
+    // Rise by its own equation: first times at which y is 0.1 and 0.9.
+    let first = |level: f64| {
+        let (mut low, mut high) = (0.0, std::f64::consts::PI / wd);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if y(middle) < level { low = middle } else { high = middle }
+        }
+        low
+    };
+    let rise = first(0.9) - first(0.1);
+    assert!((figures.rise_time.expect("it rises") - rise).abs() < 1e-6);
+    // Settled: no later sample is outside, the one before is.
+    let settled = figures.settling_time.expect("it settles");
+    let outside = |t: f64| (y(t) - 1.0).abs() > 0.02;
+    assert!(outside(settled - 2.0 * dt) && (0..9000).all(|k| !outside(settled + 1e-9 + k as f64 * dt)));
+}
+
+#[test]
+fn the_steady_value_is_where_the_step_ends() {
+    let mut scenario = scenario("navion", Plane::Longitudinal, Source::Elevator, Shape::Step);
+    scenario.disturbance.sizes.time = 300.0;
+    let (motion, modes) = motion(&scenario);
+    for output in [Output::ForwardSpeed, Output::AngleOfAttack, Output::PitchAngle, Output::PathAngle] {
+        let row = output.row(&motion.model, &motion.forced);
+        let steady = steady_output(&modes, &row, &motion.forced, 0, scenario.disturbance.sizes.elevator);
+        let end = *motion.values(output).last().expect("samples");
+        // The phugoid has halved 7 times.
+        let most = peak(&motion.values(output), 1.0).expect("samples").1.abs();
+        assert!((end - steady.expect("stable")).abs() < 0.02 * most, "{output:?}");
+    }
+    let row = Output::Height.row(&motion.model, &motion.forced);
+    assert_eq!(steady_output(&modes, &row, &motion.forced, 0, 1.0), None, "a path has no end");
+}
+
+/// CAP by the response beside CAP by the formula of the specification, ωₙ²/(n/α): the lift of the elevator itself apart, the same.
+#[test]
+fn control_anticipation_by_the_response_is_that_of_the_specification() {
+    for key in ["navion", "a4d", "cherokee-180"] {
+        let (motion, modes) = motion(&scenario(key, Plane::Longitudinal, Source::Elevator, Shape::Step));
+        let seen = control_anticipation(&motion.model, &modes, &motion.forced, 0).expect("a short period");
+        let mode =
+            modes.iter().find(|mode| mode.naming.name == ModeName::ShortPeriod).expect("a short period");
+        let load_per_alpha = -motion.model.a[(1, 1)] * motion.model.trim.speed / motion.model.trim.gravity;
+        let formula = mode.natural_frequency().expect("a pair").powi(2) / load_per_alpha;
+        assert!((seen / formula - 1.0).abs() < 0.12, "{key}: {seen} beside {formula}");
+    }
+}
+
+/// A conservative phugoid trades g h for V u: the swing of the height is that of the speed times V/g.
+#[test]
+fn the_phugoid_swings_in_height_as_in_speed() {
+    let scenario = scenario("navion", Plane::Longitudinal, Source::Elevator, Shape::Step);
+    let (motion, modes) = motion(&scenario);
+    let height = motion.split(&modes, Output::Height).expect("a split");
+    let speed = motion.split(&modes, Output::ForwardSpeed).expect("a split");
+    let (of_height, of_speed) =
+        (phugoid_swing(&modes, &height).expect("a swing"), phugoid_swing(&modes, &speed).expect("a swing"));
+    // The height turns half a swing before the speed does, when it was greater by e^{πζ/√(1 − ζ²)}.
+    let zeta = modes[1].damping_ratio().expect("a phugoid");
+    let earlier = (std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
+    let traded = of_speed * earlier * motion.model.trim.speed / STANDARD_GRAVITY;
+    assert!((of_height / traded - 1.0).abs() < 0.02, "{of_height} m beside {traded} m");
+}
+
+#[test]
+fn thirty_degrees_of_bank_come_when_the_curve_crosses_them() {
+    let mut scenario = scenario("navion", Plane::Lateral, Source::Aileron, Shape::Step);
+    scenario.disturbance.sizes.aileron = 0.1;
+    scenario.disturbance.sizes.time = 10.0;
+    let (motion, _) = motion(&scenario);
+    let bank = motion.values(Output::BankAngle);
+    let time = time_to_bank(&bank, motion.response.dt, START).expect("it banks");
+    let k = ((time + START) / motion.response.dt) as usize;
+    let limit = 30_f64.to_radians();
+    assert!(bank[k].abs() < limit && bank[k + 1].abs() >= limit, "{} {}", bank[k], bank[k + 1]);
+    assert_eq!(time_to_bank(&[0.0, 0.1, 0.2], 1.0, 0.0), None);
+}
+
+/// The air doesn't change when more of it is shown, and the same number is always the same air.
+#[test]
+fn turbulence_is_the_same_air_however_long_it_is_watched() {
+    let mut scenario = scenario("b747-fc9", Plane::Longitudinal, Source::Turbulence, Shape::Step);
+    let (short, _) = motion(&scenario);
+    scenario.disturbance.sizes.time = 120.0;
+    let (long, _) = motion(&scenario);
+    let (short, long) = (short.values(Output::AngleOfAttack), long.values(Output::AngleOfAttack));
+    assert_near(&long[..short.len()], &short, 1e-9, "the first minute");
+    scenario.disturbance.sizes.seed = 2.0;
+    assert!(motion(&scenario).0.values(Output::AngleOfAttack)[..600] != long[..600]);
+}
+
+/// Linear: twice the air is twice the motion, and the factor on all disturbances is such a factor.
+#[test]
+fn twice_the_disturbance_is_twice_the_motion() {
+    for (plane, sources) in
+        [(Plane::Longitudinal, Source::of(Plane::Longitudinal)), (Plane::Lateral, Source::of(Plane::Lateral))]
+    {
+        for &source in sources {
+            let mut scenario = scenario("a4d", plane, source, Shape::Step);
+            scenario.disturbance.choice_mut(plane).control_shape = Shape::Doublet;
+            let (once, _) = motion(&scenario);
+            scenario.disturbance.sizes.times = 2.0;
+            let (twice, _) = motion(&scenario);
+            for &output in Output::of(plane) {
+                let doubled: Vec<f64> = once.values(output).iter().map(|x| 2.0 * x).collect();
+                assert_near(&twice.values(output), &doubled, 1e-9, source.text());
+            }
+        }
+    }
+}
