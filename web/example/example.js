@@ -3,9 +3,10 @@
 
 import init, { analyse, list, respond } from "../core/eigenwing-core.js";
 
+// What disturbs each plane of motion, and in which shape.
 const DISTURBANCES = {
-  longitudinal: ["elevator-step", "elevator-pulse", "throttle-step", "vertical-gust"],
-  lateral: ["rudder-pulse", "aileron-pulse", "side-gust"],
+  longitudinal: ["elevator step", "elevator doublet", "throttle step", "vertical-gust 1-cosine"],
+  lateral: ["rudder pulse", "aileron doublet", "side-gust 1-cosine"],
 };
 const PLOT = { width: 640, height: 240, margin: 16 };
 
@@ -22,7 +23,7 @@ function option(value, text = value) {
 function showDisturbances({ planes }) {
   const before = element("disturbance").value;
   const names = planes.flatMap((plane) => DISTURBANCES[plane]);
-  element("disturbance").replaceChildren(...names.map((name) => option(name, name.replace("-", " "))));
+  element("disturbance").replaceChildren(...names.map((name) => option(name)));
   element("disturbance").value = names.includes(before) ? before : names[0];
 }
 
@@ -44,8 +45,8 @@ function showModes({ modes, dynamic_stability, static_stability }, plane) {
 }
 
 // The attitude: pitch angle, or bank angle, in degrees.
-function showMotion({ time, input, outputs }) {
-  const { name, values } = outputs.at(-1);
+function showMotion({ time, inputs, outputs }) {
+  const { name, values } = outputs.find(({ name }) => name === "theta" || name === "phi");
   const degrees = values.map((x) => (x * 180) / Math.PI);
   const [low, high] = [Math.min(...degrees, 0), Math.max(...degrees, 0)];
   const { width, height, margin } = PLOT;
@@ -53,6 +54,7 @@ function showMotion({ time, input, outputs }) {
   const points = degrees.map((value, k) => `${(width * time[k]) / time.at(-1)},${y(value)}`);
   element("line").setAttribute("points", points.join(" "));
   for (const end of ["y1", "y2"]) element("zero").setAttribute(end, y(0));
+  const [input] = inputs;
   const size = input.values.reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a), 0);
   element("plot-text").textContent =
     `${name === "phi" ? "Bank angle φ" : "Pitch angle θ"} over ${shown(time.at(-1))} s, from ${shown(low)}° to ` +
@@ -62,8 +64,10 @@ function showMotion({ time, input, outputs }) {
 function show() {
   element("problem").textContent = "";
   try {
-    const motion = respond({ aircraft: element("aircraft").value, disturbance: element("disturbance").value });
-    const analysis = analyse({ aircraft: element("aircraft").value });
+    const aircraft = element("aircraft").value;
+    const [disturbance, shape] = element("disturbance").value.split(" ");
+    const motion = respond({ aircraft, disturbance, shape });
+    const analysis = analyse({ aircraft });
     showModes(analysis[motion.plane], motion.plane === "lateral" ? "Lateral–directional" : "Longitudinal");
     showMotion(motion);
   } catch (error) {

@@ -64,13 +64,13 @@ test("the example page lists the aircraft, shows the modes of one and draws its 
   const before = await line();
   assert.equal(before.split(" ").length, 601);
 
-  await page.getByLabel("Disturbance").selectOption("rudder-pulse");
+  await page.getByLabel("Disturbance").selectOption("rudder pulse");
   await page.getByRole("cell", { name: "Dutch roll" }).waitFor();
   assert.notEqual(await line(), before);
   // An aircraft without lateral data has no rudder.
   await page.getByLabel("Aircraft").selectOption("lesson-printed");
   await page.getByText("Longitudinal motion: dynamically unstable, statically stable").waitFor();
-  assert.equal(await page.getByLabel("Disturbance").inputValue(), "elevator-step");
+  assert.equal(await page.getByLabel("Disturbance").inputValue(), "elevator step");
   assert.deepEqual(seen, { ...seen, console: [], errors: [] });
   assert.deepEqual(foreignRequests(), []);
 });
@@ -89,6 +89,8 @@ test("numbers in the browser are those of the command line, to 1e-12", async (t)
     assertEqual(await inBrowser(page, "analyse", { aircraft }), await native("analyse", aircraft));
     assertEqual(await inBrowser(page, "respond", { aircraft, steps: 60 }), await native("respond", aircraft, "--steps=60"));
   }
+  const gusts = { aircraft: "navion", disturbance: "turbulence", set: { time: 10 } };
+  assertEqual(await inBrowser(page, "respond", gusts), await native("respond", "navion", "--disturbance=turbulence", "--set=time=10"));
   const sweep = { aircraft: "navion", set: { speed: 60 }, parameter: "cg", from: -0.2, to: 0.3, points: 7 };
   const typed = ["sweep", "navion", "--set=speed=60", "--parameter=cg", "--from=-0.2", "--to=0.3", "--points=7"];
   assertEqual(await inBrowser(page, "sweep", sweep), await native(...typed));
@@ -122,6 +124,7 @@ test("the TypeScript types are those of the answers, no field more and none less
     ["Analysis", "analyse", { aircraft: "navion" }],
     ["Analysis", "analyse", { aircraft: "lesson", set: { a_qw: -0.1 } }],
     ["Motion", "respond", { aircraft: "navion", disturbance: "side-gust", steps: 2 }],
+    ["Motion", "respond", { aircraft: "x15", disturbance: "mode", mode: "Phugoid", steps: 2 }],
     ["Sweep", "sweep", sweep],
   ];
   const lines = [
