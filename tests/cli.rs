@@ -157,6 +157,13 @@ fn sweep_as_csv() {
 }
 
 #[test]
+fn a_long_sweep_draws_no_bar_where_there_is_no_terminal() {
+    // `answer` sees to it that nothing else is printed.
+    let text = answer(&[&SWEEP[..8], &["--points", "501", "--csv"]].concat());
+    assert!(text.lines().count() > 1000);
+}
+
+#[test]
 fn a_sweep_through_flights_that_are_none_says_so_at_each_point() {
     let arguments =
         ["sweep", "navion", "--parameter", "speed", "--from", "20", "--to", "50", "--points", "4"];

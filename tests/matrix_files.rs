@@ -88,6 +88,29 @@ fn matlab_states_may_be_named_in_a_comment_and_lines_may_end_as_on_windows() {
     assert_eq!(model(&text, MatrixFormat::Matlab).a, expected().0);
 }
 
+#[test]
+fn a_comment_about_a_setting_is_only_a_comment() {
+    let text = MATLAB
+        .replace("% Navion, rounded", "% speed: 176 feet per second\n% states: x1 x2\n% A = the state matrix")
+        .replace("% units: SI", "% units: feet at first\nunits = 'SI';");
+    assert_eq!(model(&text, MatrixFormat::Matlab).trim.speed, 53.64);
+}
+
+#[test]
+fn every_example_of_the_documentation_can_be_read() {
+    let page = include_str!("../docs/MATRICES.md");
+    for (mark, format) in [
+        ("```json\n", MatrixFormat::Json),
+        ("```csv\n", MatrixFormat::Csv),
+        ("```matlab\n", MatrixFormat::Matlab),
+    ] {
+        let (_, rest) = page.split_once(mark).expect("an example of each form");
+        let (example, _) = rest.split_once("```").expect("an example ends");
+        let speed = model(example, format).trim.speed;
+        assert!((speed - 53.6).abs() < 0.1, "{speed}");
+    }
+}
+
 /// ẋ = A x in other states, T x: T A T⁻¹ has the same eigenvalues and must come back as A.
 #[test]
 fn order_feet_degrees_and_angle_of_attack_come_back_to_the_same_model() {
@@ -232,9 +255,9 @@ fn a_mistake_is_one_sentence_with_its_line() {
             "mine, line 5: states: expected four of one plane of motion, u, w (or alpha), q, theta, or v (or beta), p, r, phi; found 3",
         ),
         (
-            &MATLAB.replace("% units: SI", "% units: SI\nunits = 'SI';"),
+            &MATLAB.replace("U0 = 53.64;", "U0 = 53.64; U0 = 54;"),
             Matlab,
-            "mine, line 3: units: given twice, first on line 2",
+            "mine, line 4: u0: given twice, first on line 4",
         ),
     ];
     let told = cases.map(|(text, format, _)| read(text, format).err().unwrap_or_default());

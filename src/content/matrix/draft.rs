@@ -59,6 +59,21 @@ const KEYS: [(&str, &[&str]); 10] = [
     ("B", &["B"]),
 ];
 
+/// A setting in a comment, read as far as it makes sense: a comment about the speed in words is just a comment.
+pub(super) fn setting_in_comment(comment: &str) -> Option<(&'static str, Entry)> {
+    let (name, value) = comment.split_once([':', '='])?;
+    let (key, value) = (setting(name.trim())?, value.trim());
+    let entry = match key {
+        "A" | "B" => return None,
+        "speed" | "u0" | "alpha0_deg" | "gamma0_deg" => Entry::Number(value.parse().ok()?),
+        "states" | "inputs" => Entry::Names(
+            value.split([' ', ',', ';', '\t']).filter(|name| !name.is_empty()).map(str::to_owned).collect(),
+        ),
+        _ => Entry::Text(value.to_owned()),
+    };
+    Some((key, entry))
+}
+
 /// The setting that goes by this name; `name` itself is one, too.
 pub(super) fn setting(name: &str) -> Option<&'static str> {
     if name == "name" {

@@ -1,6 +1,6 @@
 //! Matrices as CSV: settings, a row of names, a row of numbers for each state.
 
-use super::draft::{At, Draft, Entry, Problem, setting};
+use super::draft::{At, Draft, Entry, Problem, setting, setting_in_comment};
 use super::names;
 
 /// The names in the head of the table.
@@ -61,18 +61,21 @@ fn cells(line: usize, text: &str) -> Result<Vec<String>, Problem> {
 
 /// `units,SI`, or the same as a comment, `# units: SI`.
 fn read_setting(cells: &[String], text: &str) -> Option<(&'static str, Entry)> {
-    let (name, value) = match text.trim_start().strip_prefix('#') {
-        Some(comment) => comment.split_once([':', '=', ','])?,
-        // More cells are the head of the table, in which "V" would be the sideslip.
-        None if cells.iter().skip(2).all(String::is_empty) => {
-            (cells.first()?.as_str(), cells.get(1)?.as_str())
-        }
-        None => return None,
-    };
-    let key = setting(name.trim()).filter(|key| !matches!(*key, "A" | "B" | "states" | "inputs"))?;
-    let value = value.trim().trim_matches(',').trim();
-    let entry = value.parse().map_or_else(|_| Entry::Text(value.to_owned()), Entry::Number);
-    Some((key, entry))
+    if let Some(comment) = text.trim_start().strip_prefix('#') {
+        return setting_in_comment(comment.trim_end_matches([',', ' '])).filter(|(key, _)| !is_of_table(key));
+    }
+    // More cells are the head of the table, in which "V" would be the sideslip.
+    if !cells.iter().skip(2).all(String::is_empty) {
+        return None;
+    }
+    let (key, value) = (setting(cells.first()?)?, cells.get(1)?);
+    let entry = value.parse().map_or_else(|_| Entry::Text(value.clone()), Entry::Number);
+    (!is_of_table(key)).then_some((key, entry))
+}
+
+/// Whether the table says it, and nothing else does.
+fn is_of_table(key: &str) -> bool {
+    matches!(key, "A" | "B" | "states" | "inputs")
 }
 
 /// The first cell is the name of a state, or stands above the names of the rows and means nothing.

@@ -10,7 +10,7 @@
 //!
 //! Statements about anything else are passed over.
 
-use super::draft::{At, Draft, Entry, Problem, setting};
+use super::draft::{At, Draft, Entry, Problem, setting, setting_in_comment};
 
 #[derive(Clone, Debug, PartialEq)]
 enum Token {
@@ -24,9 +24,11 @@ enum Token {
 
 pub(super) fn read(text: &str) -> Result<Draft, Problem> {
     let mut draft = Draft::default();
-    let mut tokens = Vec::new();
+    let (mut tokens, mut comments) = (Vec::new(), Vec::new());
     for (line, text) in (1..).zip(text.lines()) {
-        read_line(line, text, &mut tokens, &mut draft)?;
+        if let Some(comment) = read_line(line, text, &mut tokens)? {
+            comments.extend(setting_in_comment(comment).map(|(key, value)| (key, At { line, value })));
+        }
     }
     let mut statements = Statements { tokens: &tokens, at: 0 };
     while let Some((name, line)) = statements.next_assignment() {
@@ -35,16 +37,25 @@ pub(super) fn read(text: &str) -> Result<Draft, Problem> {
             draft.set(key, line, entry)?;
         }
     }
-    if draft.has("A") {
-        Ok(draft)
-    } else {
-        Err((1, "A: missing; expected a line that begins with \"A = [\"".to_owned()))
+    if !draft.has("A") {
+        return Err((1, "A: missing; expected a line that begins with \"A = [\"".to_owned()));
     }
+    // Where a variable says it, a comment is only a comment.
+    comments.retain(|(key, _)| !draft.has(key));
+    for (key, At { line, value }) in comments {
+        draft.set(key, line, value)?;
+    }
+    Ok(draft)
 }
 
-/// The tokens of one line; a comment may hold a setting.
-fn read_line(line: usize, text: &str, tokens: &mut Vec<At<Token>>, draft: &mut Draft) -> Result<(), Problem> {
+/// The tokens of one line, and the comment at its end.
+fn read_line<'t>(
+    line: usize,
+    text: &'t str,
+    tokens: &mut Vec<At<Token>>,
+) -> Result<Option<&'t str>, Problem> {
     let mut rest = text;
+    let mut comment = None;
     let mut push = |value| tokens.push(At { line, value });
     // Whether a quote transposes what stands before it and a sign is an operation on it.
     let mut after_operand = false;
@@ -52,10 +63,10 @@ fn read_line(line: usize, text: &str, tokens: &mut Vec<At<Token>>, draft: &mut D
         let next_is_number =
             rest[c.len_utf8()..].starts_with(|next: char| next.is_ascii_digit() || next == '.');
         let length = if c == '%' || c == '#' {
-            read_comment(line, &rest[1..], draft)?;
+            comment = Some(&rest[1..]);
             break;
         } else if rest.starts_with("...") {
-            return Ok(());
+            return Ok(None);
         } else if c.is_whitespace() {
             after_operand = false;
             rest = &rest[c.len_utf8()..];
@@ -86,7 +97,7 @@ fn read_line(line: usize, text: &str, tokens: &mut Vec<At<Token>>, draft: &mut D
         rest = &rest[length..];
     }
     push(Token::End);
-    Ok(())
+    Ok(comment)
 }
 
 fn number_length(text: &str) -> usize {
@@ -103,20 +114,6 @@ fn number_length(text: &str) -> usize {
 
 fn not(mut holds: impl FnMut(char) -> bool) -> impl FnMut(char) -> bool {
     move |c| !holds(c)
-}
-
-/// `% units: SI`, `% states: u w q theta`.
-fn read_comment(line: usize, comment: &str, draft: &mut Draft) -> Result<(), Problem> {
-    let Some((name, value)) = comment.split_once([':', '=']) else { return Ok(()) };
-    let (name, value) = (name.trim(), value.trim());
-    let Some(key) = setting(name).filter(|key| !matches!(*key, "A" | "B")) else { return Ok(()) };
-    let entry = match key {
-        "states" | "inputs" => Entry::Names(
-            value.split([' ', ',', ';', '\t']).filter(|name| !name.is_empty()).map(str::to_owned).collect(),
-        ),
-        _ => value.parse().map_or_else(|_| Entry::Text(value.to_owned()), Entry::Number),
-    };
-    draft.set(key, line, entry)
 }
 
 struct Statements<'t> {
