@@ -43,6 +43,8 @@ pub struct Palette {
     pub accent: Color32,
     /// The pinned state to compare with.
     pub ghost: Color32,
+    /// The nonlinear flight beside the linear motion.
+    pub nonlinear: Color32,
     /// Left half of the pole map.
     pub stable_half: Color32,
     /// Right half of the pole map.
@@ -65,6 +67,10 @@ pub struct Palette {
     phugoid_slow: Color32,
     third_mode: Color32,
     divergence: Color32,
+    dutch_roll: Color32,
+    dutch_roll_slow: Color32,
+    roll: Color32,
+    spiral: Color32,
 }
 
 const LIGHT: Palette = Palette {
@@ -79,6 +85,7 @@ const LIGHT: Palette = Palette {
     on_strong: Color32::WHITE,
     accent: Color32::from_rgb(0x7a, 0x9b, 0xb8),
     ghost: Color32::from_rgb(0x8a, 0x97, 0xa5),
+    nonlinear: Color32::from_rgb(0xa3, 0x2a, 0x12),
     stable_half: Color32::from_rgb(0xed, 0xf7, 0xf3),
     unstable_half: Color32::from_rgb(0xfd, 0xf1, 0xec),
     good: Color32::from_rgb(0x0a, 0x5f, 0x45),
@@ -93,6 +100,10 @@ const LIGHT: Palette = Palette {
     phugoid_slow: Color32::from_rgb(0xb8, 0x7a, 0x00),
     third_mode: Color32::from_rgb(0x00, 0x8a, 0x65),
     divergence: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    dutch_roll: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    dutch_roll_slow: Color32::from_rgb(0xcc, 0x79, 0xa7),
+    roll: Color32::from_rgb(0x00, 0x8a, 0x65),
+    spiral: Color32::from_rgb(0xb8, 0x7a, 0x00),
 };
 
 const DARK: Palette = Palette {
@@ -107,6 +118,7 @@ const DARK: Palette = Palette {
     on_strong: Color32::from_rgb(0x16, 0x1c, 0x23),
     accent: Color32::from_rgb(0x4f, 0x7d, 0xa3),
     ghost: Color32::from_rgb(0x7d, 0x8b, 0x9a),
+    nonlinear: Color32::from_rgb(0xff, 0xa3, 0x8a),
     stable_half: Color32::from_rgb(0x14, 0x24, 0x22),
     unstable_half: Color32::from_rgb(0x2b, 0x1d, 0x1b),
     good: Color32::from_rgb(0x7d, 0xd9, 0xb5),
@@ -121,6 +133,10 @@ const DARK: Palette = Palette {
     phugoid_slow: Color32::from_rgb(0xe6, 0xb0, 0x2e),
     third_mode: Color32::from_rgb(0x2f, 0xc9, 0x9a),
     divergence: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+    dutch_roll: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+    dutch_roll_slow: Color32::from_rgb(0xf0, 0xb8, 0xd6),
+    roll: Color32::from_rgb(0x2f, 0xc9, 0x9a),
+    spiral: Color32::from_rgb(0xe6, 0xb0, 0x2e),
 };
 
 impl Palette {
@@ -129,19 +145,20 @@ impl Palette {
         if ui.visuals().dark_mode { &DARK } else { &LIGHT }
     }
 
-    /// The one colour of a mode, wherever it is shown.
+    /// The one colour of a mode, wherever it is shown. Seven colours that all eyes can tell apart don't go round fourteen names: a
+    /// few names share one, of which no two are ever on screen together.
     pub const fn mode(&self, name: ModeName) -> Color32 {
         match name {
-            // The lateral modes borrow the colours of the longitudinal ones until they are drawn.
-            ModeName::ShortPeriod
-            | ModeName::ShortPeriodFastRoot
-            | ModeName::DutchRoll
-            | ModeName::DutchRollMoreStableRoot => self.short_period,
-            ModeName::ShortPeriodSlowRoot | ModeName::DutchRollLessStableRoot => self.short_period_slow,
-            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::Spiral => self.phugoid,
-            ModeName::PhugoidSlowRoot | ModeName::RollSubsidence => self.phugoid_slow,
-            ModeName::ThirdOscillatory | ModeName::CoupledRollSpiral => self.third_mode,
+            ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
+            ModeName::ShortPeriodSlowRoot => self.short_period_slow,
+            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::CoupledRollSpiral => self.phugoid,
+            ModeName::PhugoidSlowRoot => self.phugoid_slow,
+            ModeName::ThirdOscillatory => self.third_mode,
             ModeName::Divergence => self.divergence,
+            ModeName::DutchRoll | ModeName::DutchRollMoreStableRoot => self.dutch_roll,
+            ModeName::DutchRollLessStableRoot => self.dutch_roll_slow,
+            ModeName::RollSubsidence => self.roll,
+            ModeName::Spiral => self.spiral,
         }
     }
 
