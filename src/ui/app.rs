@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::util::undoer::Undoer;
 use egui::{CentralPanel, Context, Frame, Key, Margin, Modifiers, Panel, RichText, ScrollArea, Ui};
 
-use super::derivatives::{Outlook, Rows, derivatives_ui};
+use super::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
 use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::pole_map::PoleMap;
@@ -67,6 +67,8 @@ struct View {
     poles: PoleMap,
     responses: Responses,
     page: Page,
+    /// What the sliders are narrowed down to.
+    search: String,
     /// Key of the slider that the help card speaks of.
     explained: &'static str,
     /// Key of the slider that the person is at, whose path is drawn.
@@ -113,6 +115,7 @@ impl App {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
                 page: Page::Coefficients,
+                search: String::new(),
                 explained: "cm_alpha",
                 touched: None,
                 phone_pane: PhonePane::default(),
@@ -278,7 +281,10 @@ impl App {
             sensitivities: followed.map_or(&[], |followed| &followed.sensitivities),
             modes: self.memo.plane().map_or(&[], |plane| &plane.modes),
         };
-        self.view.touched = derivatives_ui(ui, &mut self.scenario, &mut self.view.page, rows, outlook);
+        self.view.touched = {
+            let View { page, search, .. } = &mut self.view;
+            derivatives_ui(ui, &mut self.scenario, Chosen { page, search }, rows, outlook)
+        };
         self.view.explained = self.view.touched.unwrap_or(self.view.explained);
         let (page, scenario) = (self.view.page, &self.scenario);
         if !Parameter::find(self.view.explained).is_some_and(|p| p.is_shown(scenario, page)) {
