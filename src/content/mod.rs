@@ -5,6 +5,8 @@ mod aircraft_file;
 mod airframe_file;
 mod published;
 mod reader;
+mod shape_file;
+pub mod shapes;
 mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};

@@ -1,6 +1,7 @@
 //! What is on screen: one file for each thing. Views read an [`Analysis`](crate::flight::Analysis) and never
 //! compute one; controls edit the [`Scenario`](crate::scenario::Scenario) and nothing else.
 
+pub mod aircraft;
 mod app;
 mod axis_range;
 mod derivatives;
