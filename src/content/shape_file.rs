@@ -31,7 +31,9 @@ fn read(file: &mut Block<'_>) -> Result<Shape, ContentError> {
             let (from, to) = (Point::new(a, b, c), Point::new(d, e, f));
             (chord > 0.0 && thickness > 0.0 && (to - from).norm() > 0.01)
                 .then_some(Strut { from, to, chord, thickness })
-                .ok_or_else(|| file.error("struts", "expected two different ends, and a positive chord and thickness"))
+                .ok_or_else(|| {
+                    file.error("struts", "expected two different ends, and a positive chord and thickness")
+                })
         })
         .collect::<Result<_, _>>()?;
     let wheels = rows(file, "wheels", "rows of x, y, z, diameter, width")?
@@ -156,7 +158,9 @@ fn read_surface(mut block: Block<'_>) -> Result<Surface, ContentError> {
         along.y.hypot(along.z) > 0.01
     };
     if sections.len() < 2 || !sections.windows(2).all(parts) {
-        return Err(block.error("sections", "expected at least two rows, each at another place along the span"));
+        return Err(
+            block.error("sections", "expected at least two rows, each at another place along the span")
+        );
     }
     if sections.iter().any(|s| s.chord <= 0.01 || !(0.005..=0.5).contains(&s.thickness)) {
         let text = "expected a chord above 0.01 m and a thickness of 0.005 to 0.5 chords";

@@ -9,6 +9,9 @@ const SEGMENTS: (usize, usize) = (20, 12);
 /// A body wider than this part of the aircraft's length is large.
 const LARGE: f32 = 0.07;
 
+/// A smaller bulge between two cross-sections, over their width, is none.
+const STRAIGHT: f32 = 0.015;
+
 /// Inner edge of an intake's lip, over its outer one.
 const LIP: f32 = 0.86;
 
@@ -60,7 +63,7 @@ fn ring(station: &Station, y: f32, squareness: f32, segments: usize) -> Vec<Poin
     (0..segments).map(at).collect()
 }
 
-/// One more cross-section between each two, on a smooth curve without new bumps.
+/// One more cross-section between each two where the body is curved, on a smooth curve without new bumps.
 fn refined(stations: &[Station]) -> Vec<Station> {
     let x: Vec<f32> = stations.iter().map(|station| station.x).collect();
     let between = |of: fn(&Station) -> f32| midway(&x, &stations.iter().map(of).collect::<Vec<_>>());
@@ -68,13 +71,12 @@ fn refined(stations: &[Station]) -> Vec<Station> {
     let mut all = Vec::new();
     for (k, station) in stations.iter().enumerate() {
         all.push(*station);
-        if let Some(next) = stations.get(k + 1) {
-            all.push(Station {
-                x: 0.5 * (station.x + next.x),
-                width: width[k],
-                height: height[k],
-                z: z[k],
-            });
+        let Some(next) = stations.get(k + 1) else { break };
+        let bulge = (width[k] - 0.5 * (station.width + next.width)).abs()
+            + (height[k] - 0.5 * (station.height + next.height)).abs();
+        if bulge > STRAIGHT * station.width.max(next.width) {
+            let x = 0.5 * (station.x + next.x);
+            all.push(Station { x, width: width[k], height: height[k], z: z[k] });
         }
     }
     all

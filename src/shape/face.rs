@@ -116,11 +116,15 @@ impl Face {
     }
 
     /// The same in other places; `map` must keep angles and handedness, and leave out what moves for directions.
-    pub(super) fn mapped(&self, point: impl Fn(&Point) -> Point, direction: impl Fn(&Point) -> Point) -> Self {
-        let vertices = self.vertices.iter().map(|vertex| Vertex {
-            position: point(&vertex.position),
-            normal: direction(&vertex.normal),
-        });
+    pub(super) fn mapped(
+        &self,
+        point: impl Fn(&Point) -> Point,
+        direction: impl Fn(&Point) -> Point,
+    ) -> Self {
+        let vertices = self
+            .vertices
+            .iter()
+            .map(|vertex| Vertex { position: point(&vertex.position), normal: direction(&vertex.normal) });
         Self { vertices: vertices.collect(), normal: direction(&self.normal), ..*self }
     }
 
@@ -140,6 +144,11 @@ impl Face {
             vertex.normal = -vertex.normal;
         }
         self
+    }
+
+    /// Whether it lies in a plane.
+    pub(super) fn is_in(&self, plane: &Plane) -> bool {
+        self.vertices.iter().all(|vertex| plane.distance(&vertex.position).abs() <= ON_PLANE)
     }
 
     /// On which sides of a plane it is: (behind, before). In the plane counts as the side that it faces.
@@ -242,7 +251,8 @@ pub(super) fn grid(rows: &[Vec<Point>], is_ring: bool, material: Material) -> Ve
             let [a, b, c, d] = at.map(|(i, j)| rows[i][j]);
             let Some(normal) = (c - a).cross(&(d - b)).try_normalize(2.0 * SMALLEST_AREA) else { continue };
             let [a, b, c, d] = at.map(|corner| vertex(corner, normal));
-            let off = normal.dot(&(b.position - a.position)).abs() + normal.dot(&(d.position - a.position)).abs();
+            let off =
+                normal.dot(&(b.position - a.position)).abs() + normal.dot(&(d.position - a.position)).abs();
             if off < ON_PLANE {
                 faces.extend(Face::smooth(vec![a, b, c, d], material));
             } else {

@@ -57,17 +57,21 @@ fn circle(segments: usize) -> impl DoubleEndedIterator<Item = (f32, f32)> {
 /// The faces of a propeller: its disc and its blades, turned by an angle \[rad\].
 pub(super) fn propeller(propeller: &Propeller, angle: f32) -> Vec<Face> {
     let radius = 0.5 * propeller.diameter;
-    let disc: Vec<Point> = circle(DISC_SEGMENTS)
-        .map(|(sin, cos)| propeller.hub + radius * Point::new(0.0, sin, cos))
-        .collect();
+    let disc: Vec<Point> =
+        circle(DISC_SEGMENTS).map(|(sin, cos)| propeller.hub + radius * Point::new(0.0, sin, cos)).collect();
     let blades = (0..propeller.blades).flat_map(|k| {
         let (sin, cos) = (angle + TAU * f32::from(k) / f32::from(propeller.blades)).sin_cos();
         let (out, across) = (Point::new(0.0, sin, cos), Point::new(0.12, cos, -sin));
         let at = |part: f32, width: f32| propeller.hub + radius * (part * out + width * across);
         let (root, tip) = BLADE;
-        let corners =
-            [at(0.06, -0.5 * root), at(0.7, -0.5 * root), at(1.0, -0.4 * tip), at(1.0, 0.4 * tip),
-                at(0.7, 0.5 * root), at(0.06, 0.5 * root)];
+        let corners = [
+            at(0.06, -0.5 * root),
+            at(0.7, -0.5 * root),
+            at(1.0, -0.4 * tip),
+            at(1.0, 0.4 * tip),
+            at(0.7, 0.5 * root),
+            at(0.06, 0.5 * root),
+        ];
         Face::flat(&corners, Material::Dark)
     });
     let seen_through = |face: Face| Face { is_double_sided: true, ..face };

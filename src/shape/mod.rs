@@ -216,9 +216,11 @@ pub struct Propeller {
 impl Shape {
     /// Span of the widest surface \[m\].
     pub fn span(&self) -> f32 {
-        let tips = self.surfaces.iter().filter(|surface| surface.is_pair).flat_map(|surface| {
-            surface.sections.iter().map(|section| section.leading_edge.y)
-        });
+        let tips = self
+            .surfaces
+            .iter()
+            .filter(|surface| surface.is_pair)
+            .flat_map(|surface| surface.sections.iter().map(|section| section.leading_edge.y));
         2.0 * tips.fold(0.0, f32::max)
     }
 }

@@ -44,12 +44,8 @@ pub struct Model {
 impl Model {
     /// Builds the faces of a shape.
     pub fn new(shape: &Shape) -> Self {
-        let length = shape
-            .bodies
-            .iter()
-            .flat_map(|body| &body.stations)
-            .map(|station| station.x)
-            .fold(1.0, f32::max);
+        let length =
+            shape.bodies.iter().flat_map(|body| &body.stations).map(|station| station.x).fold(1.0, f32::max);
         let mut fixed = Vec::new();
         let mut moving: Vec<Moving> = Vec::new();
         let mut add = |faces: Vec<Face>, has_twin: bool| {

@@ -8,13 +8,13 @@
 use super::face::{Face, Plane, Point, Side};
 
 /// More faces than this are parted by a plane across an axis, if one parts them well; fewer by planes of their own.
-const FEW: usize = 20;
+const FEW: usize = 60;
 
 /// Planes tried at each step.
-const CANDIDATES: usize = 10;
+const CANDIDATES: usize = 12;
 
 /// A cut face counts for as many as these on the wrong side.
-const COST_OF_A_CUT: usize = 4;
+const COST_OF_A_CUT: usize = 8;
 
 /// Faces sorted in space.
 #[derive(Clone, Debug, Default)]
@@ -40,7 +40,10 @@ impl Tree {
             None => {
                 // Taken out, so that the rest is always fewer.
                 let face = faces.swap_remove(of_their_own(&faces));
-                (face.plane(), vec![face])
+                let plane = face.plane();
+                let (here, rest) = faces.into_iter().partition(|face| face.is_in(&plane));
+                faces = rest;
+                (plane, [vec![face], here].concat())
             }
         };
         let mut node = Node { plane, here, front: Self(None), back: Self(None) };

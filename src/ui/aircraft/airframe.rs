@@ -1,7 +1,7 @@
 //! The aircraft itself: its faces back to front, lit.
 
 use egui::epaint::Vertex;
-use egui::{Color32, Mesh, Rgba};
+use egui::{Color32, Mesh};
 use nalgebra::Rotation3;
 
 use super::camera::Lens;
@@ -9,13 +9,13 @@ use crate::shape::{Deflections, Face, Finish, Material, Model, Point};
 use crate::ui::theme::Palette;
 
 // Parts of full light: from all around, from the sky above, from the sun.
-const AMBIENT: f32 = 0.50;
+const AMBIENT: f32 = 0.57;
 const FROM_SKY: f32 = 0.20;
-const FROM_SUN: f32 = 0.42;
+const FROM_SUN: f32 = 0.36;
 /// The sky's reflection where a surface is seen at a glancing angle.
 const REFLECTION: f32 = 0.32;
-/// The sun stands so far to the left of the eye \[rad\], and so high over the level.
-const SUN: (f32, f32) = (0.8, 1.0);
+/// The sun stands so far to the right of the eye \[rad\], and so high over the level.
+const SUN: (f32, f32) = (0.3, 1.0);
 
 /// The aircraft as triangles, to be drawn as they come.
 pub(super) fn mesh(
@@ -34,7 +34,7 @@ pub(super) fn mesh(
         sun: to_body * sun(lens),
         above: to_body * -Point::z(),
         to_eye: -forward,
-        sky: Rgba::from(palette.sky[1]),
+        sky: channels(palette.sky[1]),
     };
     let mut mesh = Mesh::default();
     model.back_to_front(&eye, deflections, propeller_angle, |face: &Face| {
@@ -43,8 +43,11 @@ pub(super) fn mesh(
         for corner in &face.vertices {
             let d = corner.position - eye;
             let seen = Point::new(d.dot(&right), d.dot(&up), d.dot(&forward));
-            let color =
-                if face.material == Material::Disc { base } else { light.on(base, &corner.normal, face.material) };
+            let color = if face.material == Material::Disc {
+                base
+            } else {
+                light.on(base, &corner.normal, face.material)
+            };
             mesh.vertices.push(Vertex { pos: lens.on_screen(&seen), uv: egui::epaint::WHITE_UV, color });
         }
         for k in 1..(face.vertices.len() as u32).saturating_sub(1) {
@@ -57,7 +60,7 @@ pub(super) fn mesh(
 /// Direction to the sun in Earth axes: it goes around with the eye, so that the aircraft is well lit from everywhere.
 fn sun(lens: &Lens) -> Point {
     let to_eye = Point::new(-lens.right.y, lens.right.x, 0.0);
-    let level = to_eye * SUN.0.cos() - lens.right * SUN.0.sin();
+    let level = to_eye * SUN.0.cos() + lens.right * SUN.0.sin();
     (level - Point::z() * SUN.1).normalize()
 }
 
@@ -65,7 +68,7 @@ struct Light {
     sun: Point,
     above: Point,
     to_eye: Point,
-    sky: Rgba,
+    sky: [f32; 3],
 }
 
 impl Light {
@@ -79,12 +82,16 @@ impl Light {
             Material::Dark => 0.0,
             _ => REFLECTION * glancing * glancing * glancing * from_sky,
         };
-        let [r, g, b, _] = base.to_array();
-        let [sky_r, sky_g, sky_b, _] = Color32::from(self.sky).to_array();
-        let mix = |c: u8, sky: u8| {
-            let lit = f32::from(c) * light;
-            (lit + (f32::from(sky) - lit) * shine).clamp(0.0, 255.0) as u8
-        };
-        Color32::from_rgb(mix(r, sky_r), mix(g, sky_g), mix(b, sky_b))
+        let base = channels(base);
+        let [r, g, b] = [0, 1, 2].map(|k| {
+            let lit = base[k] * light;
+            (lit + (self.sky[k] - lit) * shine).clamp(0.0, 255.0) as u8
+        });
+        Color32::from_rgb(r, g, b)
     }
+}
+
+fn channels(color: Color32) -> [f32; 3] {
+    let [r, g, b, _] = color.to_array();
+    [r, g, b].map(f32::from)
 }

@@ -59,14 +59,16 @@ pub(super) fn arc(
 }
 
 fn line(painter: &Painter, pen: Pen, points: &[Pos2]) -> Option<Tip> {
-    let (&end, &before) = (points.last()?, points.iter().rev().find(|p| p.distance(*points.last().unwrap_or(p)) > 2.0)?);
+    let (&end, &before) =
+        (points.last()?, points.iter().rev().find(|p| p.distance(*points.last().unwrap_or(p)) > 2.0)?);
     let length: f32 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
     let towards = (end - before).normalized();
     // A short arrow has a small head.
     let head = HEAD.min(0.6 * length);
     let neck = end - towards * head;
     // The shaft ends within the head.
-    let mut shaft: Vec<Pos2> = points.iter().copied().filter(|p| (*p - end).dot(towards) < -0.7 * head).collect();
+    let mut shaft: Vec<Pos2> =
+        points.iter().copied().filter(|p| (*p - end).dot(towards) < -0.7 * head).collect();
     shaft.push(end - towards * 0.7 * head);
     strokes(painter, pen, &shaft);
     let wing = towards.rot90() * (0.42 * head + 0.4 * pen.width);

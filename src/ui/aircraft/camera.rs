@@ -7,7 +7,9 @@ use egui::{Pos2, Rect};
 use crate::shape::Point;
 
 /// Half of the angle of view, up and down \[rad\].
-const HALF_VIEW: f32 = 0.26;
+const HALF_VIEW: f32 = 0.30;
+/// The aircraft stands below the middle of the pane by this part of its height, so that there is sky.
+const LOWERED: f32 = 0.07;
 /// Nearest and farthest distance, over the one at which the aircraft fills the pane.
 const ZOOM: (f32, f32) = (0.35, 6.0);
 const STEEPEST: f32 = FRAC_PI_2 - 0.001;
@@ -26,7 +28,7 @@ pub struct Camera {
 /// The views that have a button and a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StandardView {
-    /// From the right, behind and above.
+    /// From the right, ahead and above.
     ThreeQuarter,
     /// From behind.
     Chase,
@@ -63,8 +65,8 @@ impl StandardView {
     /// Its camera.
     pub const fn camera(self) -> Camera {
         let (azimuth, elevation) = match self {
-            Self::ThreeQuarter => (0.95, 0.36),
-            Self::Chase => (0.0, 0.2),
+            Self::ThreeQuarter => (2.2, 0.27),
+            Self::Chase => (0.0, 0.22),
             Self::Side => (FRAC_PI_2, 0.04),
             Self::Top => (0.0, STEEPEST),
         };
@@ -101,10 +103,11 @@ impl Camera {
         let forward = -towards_eye;
         let right = Point::new(sin, cos, 0.0);
         let up = right.cross(&forward);
-        let narrow = (0.5 * pane.width()).min(0.72 * pane.height()).max(1.0);
+        let narrow = (0.5 * pane.width()).min(0.68 * pane.height()).max(1.0);
         let focal = 0.5 * pane.height() / HALF_VIEW.tan();
-        let distance = 1.22 * self.distance * radius * focal / narrow + radius;
-        Lens { eye: target + towards_eye * distance, forward, right, up, middle: pane.center(), focal }
+        let distance = self.distance * (0.95 * radius * focal / narrow + 0.6 * radius);
+        let middle = pane.center() + egui::vec2(0.0, LOWERED * pane.height());
+        Lens { eye: target + towards_eye * distance, forward, right, up, middle, focal }
     }
 }
 

@@ -78,7 +78,8 @@ fn placed(wanted: &[Rect], pane: Rect, taken: &[Rect]) -> Vec<Option<Rect>> {
     let mut places = Vec::with_capacity(wanted.len());
     for rect in wanted {
         let place = around().map(|shift| inside(rect.translate(shift), inner)).find(|place| {
-            inner.expand(0.5).contains_rect(*place) && !done.iter().any(|other| other.expand(1.0).intersects(*place))
+            inner.expand(0.5).contains_rect(*place)
+                && !done.iter().any(|other| other.expand(1.0).intersects(*place))
         });
         done.extend(place);
         places.push(place);
@@ -113,7 +114,8 @@ mod tests {
     fn labels_that_want_the_same_place_stand_apart_inside_the_pane() {
         let pane = Rect::from_min_size(Pos2::ZERO, Vec2::new(300.0, 200.0));
         let at = |x, y| Rect::from_center_size(Pos2::new(x, y), Vec2::new(50.0, 16.0));
-        let wanted = [at(150.0, 100.0); 6].into_iter().chain([at(0.0, 0.0), at(300.0, 200.0), at(295.0, 198.0)]);
+        let wanted =
+            [at(150.0, 100.0); 6].into_iter().chain([at(0.0, 0.0), at(300.0, 200.0), at(295.0, 198.0)]);
         let wanted: Vec<Rect> = wanted.collect();
         let taken = [Rect::from_min_size(Pos2::ZERO, Vec2::new(40.0, 30.0))];
         let places: Vec<Rect> = placed(&wanted, pane, &taken).into_iter().flatten().collect();

@@ -42,7 +42,9 @@ pub(super) fn mesh(pane: Rect, lens: &Lens, ground: &Ground, palette: &Palette) 
     let horizon = lens.horizon();
     let fade = PALING * pane.height();
     let limit = horizon.clamp(pane.top(), pane.bottom());
-    bands(&mut mesh, pane, (pane.top(), limit), |y| mixed(palette.sky[1], palette.sky[0], (horizon - y) / fade));
+    bands(&mut mesh, pane, (pane.top(), limit), |y| {
+        mixed(palette.sky[1], palette.sky[0], (horizon - y) / fade)
+    });
     bands(&mut mesh, pane, (limit, pane.bottom()), |y| {
         mixed(palette.ground[1], palette.ground[0], (y - horizon) / (0.6 * fade))
     });

@@ -11,16 +11,19 @@ use super::picture::{Axis, Picture, degrees, finite, point};
 use crate::shape::Point;
 use crate::ui::theme::Palette;
 
+// In lengths of the nose, from the centre of gravity.
+const X_AXIS: f32 = 1.14;
+const VELOCITY: f32 = 1.27;
+const ANGLE_ARC: f32 = 1.04;
+const FLOW_ARC: f32 = 1.2;
 // In radii of the aircraft.
-const BODY_AXIS: f32 = 1.12;
-const EARTH_AXIS: f32 = 0.8;
-const WEIGHT: f32 = 0.95;
-const VELOCITY: f32 = 1.4;
-const ANGLE_ARC: f32 = 0.92;
-const FLOW_ARC: f32 = 1.22;
-const RATE_ARC: f32 = 0.24;
-const MOMENT_ARC: f32 = 0.55;
-const MOMENT_STEP: f32 = 0.13;
+const Y_AXIS: f32 = 0.72;
+const Z_AXIS: f32 = 0.5;
+const EARTH_AXIS: f32 = 0.62;
+const WEIGHT: f32 = 0.75;
+const RATE_ARC: f32 = 0.2;
+const MOMENT_ARC: f32 = 0.42;
+const MOMENT_STEP: f32 = 0.12;
 
 /// A smaller angle has no arc \[rad\].
 const SMALLEST_ANGLE: f64 = 0.002;
@@ -97,6 +100,20 @@ impl Easel<'_> {
         self.picture.model.radius()
     }
 
+    /// From the centre of gravity to the nose \[m\], or what looks well where that is short.
+    fn nose(&self) -> f32 {
+        self.picture.model.bounds().1.x.max(0.6 * self.radius())
+    }
+
+    /// Lengths of the body axes as drawn \[m\].
+    fn axis_length(&self, axis: Axis) -> f32 {
+        match axis {
+            Axis::X => X_AXIS * self.nose(),
+            Axis::Y => Y_AXIS * self.radius(),
+            Axis::Z => Z_AXIS * self.radius(),
+        }
+    }
+
     fn pen(&self, color: Color32, width: f32) -> Pen {
         Pen { color, width, halo: self.palette.pane.gamma_multiply(0.55), is_dashed: false }
     }
@@ -150,10 +167,10 @@ impl Easel<'_> {
     }
 
     fn body_axes(&mut self) {
-        let axes = [Point::x(), Point::y(), Point::z()];
-        for ((axis, symbol), color) in axes.iter().zip(["x", "y", "z"]).zip(self.palette.axes) {
-            let length = BODY_AXIS * self.radius() * if symbol == "z" { 0.6 } else { 1.0 };
-            self.arrow(self.rotation * axis * length, (color, 1.8), (symbol, ""));
+        let axes = [(Axis::X, "x"), (Axis::Y, "y"), (Axis::Z, "z")];
+        for ((axis, symbol), color) in axes.into_iter().zip(self.palette.axes) {
+            let (along, ..) = self.frame(axis);
+            self.arrow(along * self.axis_length(axis), (color, 1.8), (symbol, ""));
         }
     }
 
@@ -170,7 +187,7 @@ impl Easel<'_> {
     fn angles(&mut self) {
         let attitude = self.picture.attitude;
         let color = self.palette.earth_axes;
-        let r = ANGLE_ARC * self.radius();
+        let r = ANGLE_ARC * self.nose();
         let (sin, cos) = finite(attitude.psi).sin_cos();
         let (north, east) = (Point::x(), Point::y());
         let (heading, side) = (north * cos + east * sin, east * cos - north * sin);
@@ -195,7 +212,7 @@ impl Easel<'_> {
     fn flow(&mut self) {
         let Picture { alpha, beta, .. } = *self.picture;
         let color = self.palette.velocity;
-        let r = VELOCITY * self.radius();
+        let r = VELOCITY * self.nose();
         // V = (cos α cos β, sin β, sin α cos β)
         let (sin, cos) = finite(alpha).sin_cos();
         let in_plane = self.rotation * Point::new(cos, 0.0, sin);
@@ -204,7 +221,7 @@ impl Easel<'_> {
         let (sin, cos) = finite(beta).sin_cos();
         let velocity = in_plane * cos + y * sin;
         self.arrow(velocity * r, (color, 2.4), ("V", ""));
-        let arc = FLOW_ARC * self.radius();
+        let arc = FLOW_ARC * self.nose();
         self.angle((Point::zeros(), x * arc, z * arc), alpha, "α", color);
         if beta.abs() >= SMALLEST_ANGLE {
             let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
@@ -239,7 +256,7 @@ impl Easel<'_> {
             let turn = (rate / RATE_OF_HALF_A_TURN).clamp(-1.8, 1.8) * std::f64::consts::PI;
             let (along, from, to) = self.frame(axis);
             let r = RATE_ARC * self.radius();
-            let length = BODY_AXIS * self.radius() * if axis == Axis::Z { 0.6 } else { 1.0 };
+            let length = self.axis_length(axis);
             let pen = self.pen(color, 2.2);
             let frame = (along * (0.85 * length), from * r, to * r);
             let tip = arc(self.painter, &self.lens, pen, frame, finite(turn));
@@ -260,7 +277,8 @@ impl Easel<'_> {
             }
             let (_, from, to) = self.frame(moment.axis);
             let pen = self.pen(moment.color, 3.4);
-            let tip = arc(self.painter, &self.lens, pen, (Point::zeros(), from * r, to * r), FULL_MOMENT * size);
+            let tip =
+                arc(self.painter, &self.lens, pen, (Point::zeros(), from * r, to * r), FULL_MOMENT * size);
             self.name(tip, moment.symbol, "", moment.color);
         }
     }
@@ -281,18 +299,25 @@ impl Easel<'_> {
         let (mut beyond, mut before) = (Mesh::default(), Mesh::default());
         let points: Vec<Point> = self.picture.path.iter().map(|p| self.picture.from_here(*p)).collect();
         let count = points.len().max(2) as f32;
+        // It comes out from behind the tail.
+        let tail = -self.picture.model.bounds().0.x;
         let depth = self.lens.seen(&Point::zeros()).z;
         let color = self.palette.path;
         // As wide as a hand's breadth of the wing, but never a hair nor a road.
-        let width = |p: &Point| (0.035 * self.radius() * self.lens.scale_at(p)).clamp(0.6, 7.0);
+        let width = |p: &Point| (0.012 * self.radius() * self.lens.scale_at(p)).clamp(0.6, 3.0);
         for (k, pair) in points.windows(2).enumerate() {
             let [a, b] = [pair[0], pair[1]];
+            if b.norm() < tail {
+                continue;
+            }
             let (Some(at_a), Some(at_b)) = (self.lens.project(&a), self.lens.project(&b)) else { continue };
-            if !self.pane.expand(50.0).intersects(Rect::from_two_pos(at_a, at_b)) || at_a.distance(at_b) < 0.05 {
+            if !self.pane.expand(50.0).intersects(Rect::from_two_pos(at_a, at_b))
+                || at_a.distance(at_b) < 0.05
+            {
                 continue;
             }
             // Fresh at the aircraft, faint where it is old.
-            let age = |k: usize| color.gamma_multiply(0.08 + 0.75 * (k as f32 / count));
+            let age = |k: usize| color.gamma_multiply(0.05 + 0.8 * (k as f32 / count));
             let mesh = if self.lens.seen(&a).z > depth { &mut beyond } else { &mut before };
             stroke(mesh, [at_a, at_b], width(&a), [age(k), age(k + 1)]);
         }

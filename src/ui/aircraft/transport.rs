@@ -31,7 +31,8 @@ pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
         if ui.add(play).accessible_name(name).on_hover_text(name).clicked() {
             playback.toggle();
         }
-        if ui.button("⏮").accessible_name("Back to the start").on_hover_text("Back to the start").clicked() {
+        if ui.button("⏮").accessible_name("Back to the start").on_hover_text("Back to the start").clicked()
+        {
             playback.seek(0.0);
         }
 

@@ -1,8 +1,10 @@
 //! The picture as a widget: drawn, turned by drag and keys, and told in a sentence.
 
 use egui::accesskit::Role;
+use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{
-    CornerRadius, EventFilter, Key, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
+    CornerRadius, EventFilter, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo,
 };
 
 use super::camera::{Camera, StandardView};
@@ -20,7 +22,7 @@ const STEP: f32 = 0.12;
 /// A key zooms by so much.
 const ZOOM_STEP: f32 = 1.15;
 /// The aircraft strays no farther from the middle than this, in radii.
-const FARTHEST_ASTRAY: f32 = 0.4;
+const FARTHEST_ASTRAY: f32 = 0.2;
 /// Side of the polygon of forces.
 const POLYGON: f32 = 84.0;
 
@@ -44,7 +46,9 @@ impl AircraftView {
                     self.camera = view.camera();
                 }
             }
-            ui.menu_button("Show ▾", |ui| {
+            // Stays open while boxes are ticked.
+            let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+            MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
                 for (words, is_shown) in self.overlays.boxes() {
                     ui.checkbox(is_shown, words);
                 }
@@ -119,7 +123,14 @@ impl AircraftView {
         let (beyond, before) = if self.overlays.path { easel.path() } else { Default::default() };
         painter.add(Shape::mesh(beyond));
         let pose = (picture.deflections, picture.propeller_angle);
-        painter.add(Shape::mesh(airframe::mesh(picture.model, picture.finish, pose, &rotation, &lens, palette)));
+        painter.add(Shape::mesh(airframe::mesh(
+            picture.model,
+            picture.finish,
+            pose,
+            &rotation,
+            &lens,
+            palette,
+        )));
         painter.add(Shape::mesh(before));
         easel.draw(&self.overlays);
 
@@ -139,12 +150,14 @@ impl AircraftView {
     }
 }
 
-/// Where to look, from the aircraft: towards where steady flight would have brought it, so that it is seen to stray, but
-/// never far.
+/// Where to look, from the aircraft: at the middle of it and its arrows, but towards where steady flight would have
+/// brought it, so that it is seen to stray, though never far.
 fn target(picture: &Picture<'_>) -> Point {
+    let (low, high) = picture.model.bounds();
+    let middle = Point::x() * (0.5 * (low.x + 1.2 * high.x));
     let back = picture.from_here(picture.steady_position);
     let limit = FARTHEST_ASTRAY * picture.model.radius();
-    back * (limit / (limit + back.norm()))
+    middle + back * (limit / (limit + back.norm()))
 }
 
 /// A sentence at the top, and the place that it takes.
