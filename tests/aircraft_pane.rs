@@ -191,7 +191,7 @@ fn each_overlay_can_be_switched() {
 #[test]
 fn any_attitude_any_view_and_any_overlay_is_drawn_and_rests() {
     for attitude in [
-        Attitude { phi: 3.0, theta: 1.5707963, psi: -2.0 },
+        Attitude { phi: 3.0, theta: std::f64::consts::FRAC_PI_2, psi: -2.0 },
         Attitude { phi: f64::NAN, theta: f64::INFINITY, psi: 1e300 },
     ] {
         for view in StandardView::ALL {

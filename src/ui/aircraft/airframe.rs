@@ -37,6 +37,9 @@ pub(super) fn mesh(
         sky: channels(palette.sky[1]),
     };
     let mut mesh = Mesh::default();
+    // About half of the faces are seen.
+    mesh.reserve_triangles(model.triangles() / 2);
+    mesh.reserve_vertices(model.triangles());
     model.back_to_front(&eye, deflections, propeller_angle, |face: &Face| {
         let base = palette.airframe(finish, face.material);
         let first = mesh.vertices.len() as u32;

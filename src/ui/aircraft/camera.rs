@@ -105,7 +105,7 @@ impl Camera {
         let up = right.cross(&forward);
         let narrow = (0.5 * pane.width()).min(0.68 * pane.height()).max(1.0);
         let focal = 0.5 * pane.height() / HALF_VIEW.tan();
-        let distance = self.distance * (0.95 * radius * focal / narrow + 0.6 * radius);
+        let distance = self.distance * (1.03 * radius * focal / narrow + 0.6 * radius);
         let middle = pane.center() + egui::vec2(0.0, LOWERED * pane.height());
         Lens { eye: target + towards_eye * distance, forward, right, up, middle, focal }
     }

@@ -297,7 +297,7 @@ impl Easel<'_> {
     /// The path as a ribbon, its parts beyond the aircraft and those on this side of it.
     pub fn path(&self) -> (Mesh, Mesh) {
         let (mut beyond, mut before) = (Mesh::default(), Mesh::default());
-        let points: Vec<Point> = self.picture.path.iter().map(|p| self.picture.from_here(*p)).collect();
+        let points: Vec<Point> = self.picture.path.iter().map(|p| self.picture.seen_from_here(*p)).collect();
         let count = points.len().max(2) as f32;
         // It comes out from behind the tail.
         let tail = -self.picture.model.bounds().0.x;

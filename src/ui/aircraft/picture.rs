@@ -115,7 +115,7 @@ pub(super) fn degrees(angle: f64) -> String {
 
 impl Picture<'_> {
     /// From the flight's start, relative to where the aircraft is \[m\].
-    pub(super) fn from_here(&self, place: [f64; 3]) -> Point {
+    pub(super) fn seen_from_here(&self, place: [f64; 3]) -> Point {
         point([0, 1, 2].map(|k| place[k] - self.position[k]))
     }
 

@@ -155,7 +155,7 @@ impl AircraftView {
 fn target(picture: &Picture<'_>) -> Point {
     let (low, high) = picture.model.bounds();
     let middle = Point::x() * (0.5 * (low.x + 1.2 * high.x));
-    let back = picture.from_here(picture.steady_position);
+    let back = picture.seen_from_here(picture.steady_position);
     let limit = FARTHEST_ASTRAY * picture.model.radius();
     middle + back * (limit / (limit + back.norm()))
 }
