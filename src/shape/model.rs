@@ -112,7 +112,8 @@ impl Model {
             fittings::propeller(propeller, propeller_angle).into_iter().map(|face| face.mapped(place, turned))
         });
         let parts = self.moving.iter().flat_map(|part| part.deflected(part.angle(deflections)));
-        self.fixed.back_to_front(eye, parts.chain(discs).collect(), &mut visit);
+        let loose = parts.chain(discs).filter(|face| face.faces(eye)).collect();
+        self.fixed.back_to_front(eye, loose, &mut visit);
     }
 
     /// Least and greatest x, y, z in body axes \[m\].

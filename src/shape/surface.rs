@@ -5,7 +5,7 @@ use super::model::Moving;
 use super::{ControlSpan, Profile, Section, Surface};
 
 /// Where a cross-section has corners, as fractions of the chord.
-const FRACTIONS: [f32; 7] = [0.0, 0.015, 0.07, 0.2, 0.42, 0.7, 1.0];
+const FRACTIONS: [f32; 6] = [0.0, 0.015, 0.09, 0.3, 0.65, 1.0];
 
 /// The hinge of a surface that moves as a whole, as a fraction of the chord.
 const ALL_MOVING_HINGE: f32 = 0.4;

@@ -56,7 +56,8 @@ impl Tree {
         Self(Some(Box::new(node)))
     }
 
-    /// Visits every face that an eye may see, the farthest first, `loose` ones among them at their place.
+    /// Visits every face that an eye may see, the farthest first, and all `loose` ones among them at their
+    /// place.
     pub fn back_to_front(&self, eye: &Point, loose: Vec<Face>, visit: &mut impl FnMut(&Face)) {
         let Some(node) = &self.0 else {
             return by_distance(loose, eye, visit);
@@ -96,7 +97,6 @@ fn part(face: Face, plane: &Plane, front: &mut Vec<Face>, back: &mut Vec<Face>) 
 }
 
 fn by_distance(mut faces: Vec<Face>, eye: &Point, visit: &mut impl FnMut(&Face)) {
-    faces.retain(|face| face.faces(eye));
     let distance = |face: &Face| (face.middle() - eye).norm_squared();
     faces.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
     faces.iter().for_each(visit);

@@ -9,9 +9,9 @@ use crate::shape::{Deflections, Face, Finish, Material, Model, Point};
 use crate::ui::theme::Palette;
 
 // Parts of full light: from all around, from the sky above, from the sun.
-const AMBIENT: f32 = 0.57;
-const FROM_SKY: f32 = 0.20;
-const FROM_SUN: f32 = 0.36;
+const AMBIENT: f32 = 0.53;
+const FROM_SKY: f32 = 0.17;
+const FROM_SUN: f32 = 0.34;
 /// The sky's reflection where a surface is seen at a glancing angle.
 const REFLECTION: f32 = 0.32;
 /// The sun stands so far to the right of the eye \[rad\], and so high over the level.

@@ -64,13 +64,14 @@ impl StandardView {
 
     /// Its camera.
     pub const fn camera(self) -> Camera {
-        let (azimuth, elevation) = match self {
-            Self::ThreeQuarter => (2.2, 0.27),
-            Self::Chase => (0.0, 0.22),
-            Self::Side => (FRAC_PI_2, 0.04),
-            Self::Top => (0.0, STEEPEST),
+        let (azimuth, elevation, distance) = match self {
+            Self::ThreeQuarter => (2.2, 0.27, 1.0),
+            Self::Chase => (0.0, 0.22, 1.0),
+            Self::Side => (FRAC_PI_2, 0.04, 1.0),
+            // Its length stands upright, where there is less room.
+            Self::Top => (0.0, STEEPEST, 1.5),
         };
-        Camera { azimuth, elevation, distance: 1.0 }
+        Camera { azimuth, elevation, distance }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::shape::Point;
 use crate::ui::theme::Palette;
 
 /// How many fields can be seen in each direction.
-const FIELDS: i32 = 26;
+const FIELDS: i32 = 22;
 /// Height over the ground, in fields.
 const HEIGHT: f32 = 2.2;
 /// Points over which the sky pales towards the horizon, over the height of the pane; the ground likewise.
