@@ -368,3 +368,19 @@ proptest! {
         check(&String::from_utf8_lossy(&bytes[..at.index(bytes.len())]));
     }
 }
+
+#[test]
+fn a_shape_with_next_to_nothing_in_it_is_drawn_as_such() {
+    let mut shape = shape("trainer");
+    for surface in &mut shape.surfaces {
+        surface.sections.truncate(1);
+    }
+    for body in &mut shape.bodies {
+        body.stations.truncate(1);
+    }
+    let (low, high) = Model::new(&shape).bounds();
+    assert!(low.iter().chain(&high).all(|x| x.is_finite()));
+    (shape.bodies, shape.surfaces) = (Vec::new(), Vec::new());
+    (shape.struts, shape.wheels, shape.propellers) = (Vec::new(), Vec::new(), Vec::new());
+    assert!(Model::new(&shape).radius() > 0.0);
+}

@@ -15,8 +15,11 @@ const ROUNDING: [f32; 4] = [0.4, 0.7, 0.9, 0.99];
 
 /// The fixed faces and the moving parts of a surface: of the right one, or of the only one.
 pub(super) fn faces(surface: &Surface) -> (Vec<Face>, Vec<Moving>) {
-    let cuts = cuts(surface);
     let (mut fixed, mut moving) = (Vec::new(), Vec::new());
+    if surface.sections.len() < 2 {
+        return (fixed, moving);
+    }
+    let cuts = cuts(surface);
     let mut k = 0;
     while k + 1 < cuts.len() {
         // As many cuts as share a control, or none, make one part.
@@ -59,7 +62,7 @@ fn cuts(surface: &Surface) -> Vec<Cut> {
             d.y.hypot(d.z)
         })
         .collect();
-    let length: f32 = steps.iter().sum();
+    let length: f32 = steps.iter().sum::<f32>().max(1e-6);
     let mut ends = vec![0.0];
     for step in &steps {
         ends.push(ends[ends.len() - 1] + step);
@@ -78,7 +81,7 @@ fn cuts(surface: &Surface) -> Vec<Cut> {
         let place = along * length;
         let k = (1..steps.len()).rev().find(|&k| ends[k] <= place).unwrap_or(0);
         let (a, b) = (&sections[k], &sections[k + 1]);
-        let t = ((place - ends[k]) / steps[k]).clamp(0.0, 1.0);
+        let t = ((place - ends[k]) / steps[k].max(1e-6)).clamp(0.0, 1.0);
         let mix = |a: f32, b: f32| a + (b - a) * t;
         let mut section = Section {
             leading_edge: a.leading_edge + (b.leading_edge - a.leading_edge) * t,

@@ -59,10 +59,11 @@ pub(super) fn arc(
 }
 
 fn line(painter: &Painter, pen: Pen, points: &[Pos2]) -> Option<Tip> {
-    let (&end, &before) =
-        (points.last()?, points.iter().rev().find(|p| p.distance(*points.last().unwrap_or(p)) > 2.0)?);
+    let end = *points.last()?;
+    // Its direction at the end, from a point that isn't too near to have one.
+    let before = points.iter().rev().find(|point| point.distance(end) > 2.0)?;
+    let towards = (end - *before).normalized();
     let length: f32 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
-    let towards = (end - before).normalized();
     // A short arrow has a small head.
     let head = HEAD.min(0.6 * length);
     let neck = end - towards * head;

@@ -10,8 +10,8 @@ use crate::shape::Point;
 const HALF_VIEW: f32 = 0.30;
 /// The aircraft stands below the middle of the pane by this part of its height, so that there is sky.
 const LOWERED: f32 = 0.07;
-/// Nearest and farthest distance, over the one at which the aircraft fills the pane.
-const ZOOM: (f32, f32) = (0.35, 6.0);
+/// Nearest and farthest distance, over the one at which the aircraft fills the pane; never within the aircraft.
+const ZOOM: (f32, f32) = (0.5, 6.0);
 const STEEPEST: f32 = FRAC_PI_2 - 0.001;
 
 /// Where the eye is, seen from the aircraft.

@@ -336,8 +336,8 @@ impl Easel<'_> {
         };
         let all = [forces.weight, forces.thrust, forces.lift, forces.drag].map(flat);
         let colors = [1, 2, 0, 3].map(|k| self.palette.forces[k]);
-        let scale = 0.78 * place.height();
-        let mut at = Pos2::new(place.center().x, place.top() + 0.11 * place.height());
+        let scale = 0.66 * place.height();
+        let mut at = Pos2::new(place.center().x, place.top() + 0.26 * place.height());
         for (force, color) in all.into_iter().zip(colors) {
             let to = at + force * scale;
             self.painter.arrow(at, to - at, egui::Stroke::new(1.8, color));

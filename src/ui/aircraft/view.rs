@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{
-    CornerRadius, EventFilter, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke,
+    Align2, CornerRadius, EventFilter, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke,
     StrokeKind, Ui, Vec2, WidgetInfo,
 };
 
@@ -140,6 +140,8 @@ impl AircraftView {
             let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
             painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
             easel.force_polygon(place);
+            let corner = place.min + Vec2::new(5.0, 3.0);
+            painter.text(corner, Align2::LEFT_TOP, "Balance", theme::small(), palette.weak);
             taken.push(place);
         }
         if let Some(note) = picture.note {
