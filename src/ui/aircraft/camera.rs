@@ -156,3 +156,45 @@ impl Lens {
         self.middle.y - self.focal * down / level
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lens(view: StandardView) -> Lens {
+        let pane = Rect::from_min_size(Pos2::ZERO, egui::vec2(600.0, 400.0));
+        view.camera().lens(pane, 5.0, Point::zeros())
+    }
+
+    fn on_screen(lens: &Lens, p: Point) -> Pos2 {
+        lens.project(&p).expect("it is before the eye")
+    }
+
+    #[test]
+    fn right_is_right_from_behind_and_ahead_is_right_from_the_right() {
+        let middle = |lens: &Lens| on_screen(lens, Point::zeros());
+        let chase = lens(StandardView::Chase);
+        assert!(on_screen(&chase, Point::y()).x > middle(&chase).x + 5.0);
+        assert!(on_screen(&chase, Point::z()).y > middle(&chase).y + 5.0, "down is down");
+        let side = lens(StandardView::Side);
+        assert!(on_screen(&side, Point::x()).x > middle(&side).x + 5.0);
+        let top = lens(StandardView::Top);
+        assert!(on_screen(&top, Point::x()).y < middle(&top).y - 5.0, "ahead is up");
+    }
+
+    #[test]
+    fn what_is_far_and_as_high_as_the_eye_is_on_the_horizon() {
+        for view in [StandardView::ThreeQuarter, StandardView::Chase, StandardView::Side] {
+            let lens = lens(view);
+            let ahead = Point::new(lens.forward.x, lens.forward.y, 0.0);
+            let far = on_screen(&lens, lens.eye + ahead * 1e4 + lens.right * 1e3);
+            assert!((far.y - lens.horizon()).abs() < 0.5, "{view:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_behind_the_eye_is_on_the_screen() {
+        let lens = lens(StandardView::ThreeQuarter);
+        assert_eq!(lens.project(&(lens.eye - lens.forward)), None);
+    }
+}

@@ -178,3 +178,19 @@ pub(super) fn stroke(mesh: &mut Mesh, at: [Pos2; 2], half_width: f32, color: [Co
         mesh.add_triangle(a + 1, a + 5, a + 4);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ground_is_farther_below_the_higher_and_never_above() {
+        let height = |climbed: f32| Ground::below(5.0, 50.0, [0.0, 0.0], climbed).height;
+        let heights = [-1e6, -1000.0, -10.0, 0.0, 10.0, 1000.0, 1e6].map(height);
+        assert!(heights[0] > 0.0);
+        assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
+        // True to scale near steady flight.
+        assert!((height(1.0) - height(0.0) - 1.0).abs() < 1e-3);
+        assert!((height(0.0) - height(-1.0) - 1.0).abs() < 0.02);
+    }
+}

@@ -140,3 +140,20 @@ impl Picture<'_> {
         sentence
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn attitudes_turn_as_their_signs_say() {
+        let still = Attitude::default();
+        // North, east, down.
+        let right_wing = Attitude { phi: 0.1, ..still }.rotation() * Point::y();
+        assert!(right_wing.z > 0.05, "φ > 0: right wing down");
+        let nose = Attitude { theta: 0.1, ..still }.rotation() * Point::x();
+        assert!(nose.z < -0.05, "θ > 0: nose up");
+        let nose = Attitude { psi: 0.1, ..still }.rotation() * Point::x();
+        assert!(nose.y > 0.05, "ψ > 0: nose right");
+    }
+}
