@@ -1,5 +1,7 @@
 //! The aircraft pane by role and name, without a window.
 
+use std::sync::LazyLock;
+
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
@@ -11,9 +13,14 @@ use eigenwing::ui::aircraft::{
     AircraftView, Attitude, Axis, Forces, Moment, Overlays, Picture, Playback, StandardView, transport_ui,
 };
 
+/// Built once.
+static NAVION: LazyLock<(Shape, Model)> = LazyLock::new(|| {
+    let shape = embedded_shape("navion").expect("it ships").expect("it reads");
+    let model = Model::new(&shape);
+    (shape, model)
+});
+
 struct Pane {
-    shape: Shape,
-    model: Model,
     attitude: Attitude,
     view: AircraftView,
     playback: Playback,
@@ -22,10 +29,8 @@ struct Pane {
 
 impl Pane {
     fn new(attitude: Attitude) -> Self {
-        let shape = embedded_shape("navion").expect("it ships").expect("it reads");
-        let model = Model::new(&shape);
         let (view, playback) = (AircraftView::default(), Playback::new(60.0));
-        Self { shape, model, attitude, view, playback, is_installed: false }
+        Self { attitude, view, playback, is_installed: false }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui) {
@@ -38,8 +43,8 @@ impl Pane {
         let moments = [Moment { symbol: "M_α α", axis: Axis::Y, size: -0.5, color: egui::Color32::RED }];
         let picture = Picture {
             name: "Navion",
-            model: &self.model,
-            finish: self.shape.finish,
+            model: &NAVION.1,
+            finish: NAVION.0.finish,
             attitude: self.attitude,
             position: [99.0, 0.0, -5.0],
             steady_position: [99.0, 0.0, 0.0],

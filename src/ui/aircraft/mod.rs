@@ -17,6 +17,6 @@ mod view;
 pub use camera::{Camera, StandardView};
 pub use overlays::Overlays;
 pub use picture::{Attitude, Axis, Forces, Moment, Picture};
-pub use playback::Playback;
+pub use playback::{Playback, RATES};
 pub use transport::transport_ui;
 pub use view::AircraftView;
