@@ -29,6 +29,8 @@ use crate::scenario::{Choice, Disturbance, Flown, Page, Parameter, Scenario, Sou
 const PHONE: f32 = 700.0;
 /// Below this width the modes stand under the responses, not beside them.
 const TABLET: f32 = 1180.0;
+/// From this width on two panes of a tablet stand beside each other.
+const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
 
@@ -270,15 +272,27 @@ impl App {
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     let action = self.verdicts_ui(ui);
-                    for (pane, height) in
-                        [(Pane::Poles, 290.0), (Pane::Aircraft, 330.0), (Pane::Response, 480.0)]
-                    {
-                        let size = Vec2::new(ui.available_width(), height);
-                        let (_, room) = ui.allocate_space(size);
+                    let width = ui.available_width();
+                    let beside = width >= BESIDE;
+                    if beside {
+                        let (_, above) = ui.allocate_space(Vec2::new(width, 330.0));
+                        let (poles, aircraft) = above.split_left_right_at_fraction(0.5);
+                        let gap = 0.5 * PANE_GAP;
+                        self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, 0.0]));
+                        self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, 0.0]));
+                    }
+                    let below: &[(Pane, f32)] = if beside {
+                        &[(Pane::Response, 480.0)]
+                    } else {
+                        &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
+                    };
+                    for &(pane, height) in below {
+                        let (_, room) = ui.allocate_space(Vec2::new(width, height));
                         self.pane_ui(ui, pane, room);
                     }
-                    ui.columns(2, |columns| {
-                        self.cards_ui(|i| i % 2, columns);
+                    let count = if beside { 2 } else { 1 };
+                    ui.columns(count, |columns| {
+                        self.cards_ui(|i| i % count, columns);
                     });
                     action
                 })
@@ -368,6 +382,8 @@ impl App {
 
     /// A pane in its frame over all of `room`; its heading takes it over the whole page by double click or its button.
     fn pane_ui(&mut self, ui: &mut Ui, pane: Pane, room: Rect) {
+        // A place of its own: what is put into it moves nothing outside.
+        let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
         let frame = theme::pane(Palette::of(ui));
         let inner = room - frame.total_margin();
         // Before what is drawn over it, so that controls on it come first.
