@@ -13,7 +13,7 @@
 //! | [`number`] | numbers as a person reads them | everything |
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`content`] | the aircraft that ship with the page, read and checked once | egui, web |
-//! | [`scenario`] | what is being studied, and the one table of adjustable quantities | egui, web |
+//! | [`scenario`] | what is being studied, the one table of adjustable quantities, and the scene as a link | egui, web |
 //! | [`export`] | state for other programs, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
 //! | `web` (in a browser), `main.rs` (feature `app`) | a canvas, a window | how anything is computed or drawn |
