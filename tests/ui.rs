@@ -45,7 +45,10 @@ fn value(harness: &Harness<'_, Option<App>>, key: &str) -> f64 {
 fn choose(harness: &mut Harness<'_, Option<App>>, chooser: &str, choice: &str) {
     harness.get_by_role_and_label(Role::ComboBox, chooser).click();
     harness.run();
-    harness.get_by_label_contains(choice).click();
+    let exact = harness
+        .query_all_by_role(Role::Button)
+        .find(|node| node.accesskit_node().label().is_some_and(|label| label == choice));
+    exact.unwrap_or_else(|| harness.get_by_label_contains(choice)).click();
     harness.run();
 }
 
@@ -237,16 +240,77 @@ fn motion(harness: &Harness<'_, Option<App>>) -> eigenwing::flight::analysis::Mo
 #[test]
 fn each_disturbance_can_be_chosen_and_sized() {
     let mut harness = page(WIDE);
-    for (choice, field) in [
-        ("Elevator pulse", "elevator pulse in deg"),
-        ("Vertical gust", "speed of the rising air in m/s"),
-        ("Elevator step", "elevator step in deg"),
+    for (source, shape, field) in [
+        ("Elevator", Some("pulse"), "elevator pulse in deg"),
+        ("Elevator", Some("doublet"), "length of a part in s"),
+        ("Throttle", Some("3-2-1-1"), "throttle in %"),
+        ("Elevator", Some("sine"), "frequency in rad/s"),
+        ("Elevator", Some("sweep"), "frequency at the end of the sweep in rad/s"),
+        ("Vertical gust", Some("1 − cosine"), "speed of the rising air in m/s"),
+        ("Head gust", Some("step"), "speed of the air from ahead in m/s"),
+        ("Turbulence", None, "strength of the turbulence in m/s"),
+        ("Released from", None, "pitch rate at release in deg/s"),
+        ("One mode", None, "size of the mode in deg"),
+        ("Elevator", Some("step"), "factor on the disturbance in "),
     ] {
-        choose(&mut harness, "Disturbance", choice);
+        choose(&mut harness, "Disturbance", source);
+        if let Some(shape) = shape {
+            choose(&mut harness, "Shape of the disturbance", shape);
+        }
         let before = motion(&harness);
-        type_into(&mut harness, field, "2");
-        assert_ne!(motion(&harness), before, "{choice}");
+        type_into(&mut harness, field, "2.5");
+        assert!(motion(&harness) != before, "{source} {shape:?}");
     }
+}
+
+#[test]
+fn one_mode_alone_is_chosen_by_name() {
+    let mut harness = page(WIDE);
+    choose(&mut harness, "Disturbance", "One mode");
+    let before = motion(&harness);
+    choose(&mut harness, "Mode flown alone", "Phugoid");
+    assert!(motion(&harness) != before);
+}
+
+#[test]
+fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_figures() {
+    for size in [WIDE, TABLET, PHONE] {
+        let mut harness = page(size);
+        if size == PHONE {
+            harness.get_by_role_and_label(Role::Button, "Response").click();
+            harness.run();
+        }
+        harness.get_by_label_contains("Δu in m/s against time");
+        harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
+        harness.run();
+        harness.get_by_label_contains("Δu in m/s against time: between 0 and 10.9");
+        let least = if size == PHONE { 1 } else { 4 };
+        assert!(harness.query_all_by_label_contains("with Short period, Phugoid").count() >= least, "{size}");
+        harness.get_by_role_and_label(Role::Button, "Phase").click();
+        harness.run();
+        harness.get_by_label_contains("q in deg/s against Δα");
+        choose(&mut harness, "Left portrait, upward", "Δh · height gained");
+        harness.get_by_label_contains("Δh in m against Δα");
+        harness.get_by_role_and_label(Role::Button, "Frequency").click();
+        harness.run();
+        harness.get_by_label_contains("Short period peak: 2.54 deg/s per deg at 3.14 rad/s");
+        choose(&mut harness, "Output of the frequency response", "Δn_z · normal load factor");
+        harness.get_by_label_contains("dB of g per deg");
+        harness.get_by_role_and_label(Role::Button, "Figures").click();
+        harness.run();
+        harness.get_by_label_contains("Phugoid, first swing of the height");
+    }
+}
+
+#[test]
+fn which_outputs_are_shown_can_be_chosen() {
+    let mut harness = page(WIDE);
+    assert_eq!(harness.query_all_by_label_contains("Δn_z in g").count(), 0);
+    harness.get_by_role_and_label(Role::Button, "Show ▾").click();
+    harness.run();
+    harness.get_by_label("Δn_z · normal load factor").click();
+    harness.run();
+    harness.get_by_label_contains("Δn_z in g against time");
 }
 
 #[test]

@@ -16,6 +16,7 @@ use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
 const SYMBOL_WIDTH: f32 = 58.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
+const COMPACT_FIELD: f32 = 44.0;
 const BAR_WIDTH: f32 = 5.5;
 /// Room for eight lines; a longer card scrolls.
 const HELP_HEIGHT: f32 = 168.0;
@@ -178,15 +179,21 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let length = scenario.aircraft.length_unit;
     let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
     let shown = trimmed(parameter.get(scenario) / in_si, 4);
+    let symbol = Symbol::parse(parameter.symbol);
+    // Its width beforehand, so that a row that wraps keeps it together.
+    let symbol_width = ui.painter().layout_job(symbol.job(14.0, palette.text)).size().x;
+    let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
+    let width = symbol_width + COMPACT_FIELD + unit_width + 3.0 * ui.spacing().item_spacing.x + 16.0;
+    let size = Vec2::new(width, ui.spacing().interact_size.y);
     let field = ui
-        .horizontal(|ui| {
-            symbol_ui(ui, &Symbol::parse(parameter.symbol), 14.0, palette.text, None);
+        .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            symbol_ui(ui, &symbol, 14.0, palette.text, None);
             let field = number_field_ui(
                 ui,
                 Id::unique(("disturbance", parameter.key)),
                 &format!("{} in {unit}", parameter.name),
                 &shown,
-                44.0,
+                COMPACT_FIELD,
                 |text| parameter.parse(scenario, text),
             );
             ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));

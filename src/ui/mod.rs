@@ -8,6 +8,7 @@ mod fonts;
 mod memo;
 mod mode_cards;
 mod number_field;
+mod phasors;
 mod pole_grid;
 mod pole_labels;
 mod pole_map;

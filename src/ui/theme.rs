@@ -65,6 +65,10 @@ pub struct Palette {
     phugoid_slow: Color32,
     third_mode: Color32,
     divergence: Color32,
+    dutch_roll: Color32,
+    dutch_roll_slow: Color32,
+    roll: Color32,
+    spiral: Color32,
 }
 
 const LIGHT: Palette = Palette {
@@ -93,6 +97,10 @@ const LIGHT: Palette = Palette {
     phugoid_slow: Color32::from_rgb(0xb8, 0x7a, 0x00),
     third_mode: Color32::from_rgb(0x00, 0x8a, 0x65),
     divergence: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    dutch_roll: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    dutch_roll_slow: Color32::from_rgb(0xcc, 0x79, 0xa7),
+    roll: Color32::from_rgb(0x00, 0x8a, 0x65),
+    spiral: Color32::from_rgb(0xb8, 0x7a, 0x00),
 };
 
 const DARK: Palette = Palette {
@@ -121,6 +129,10 @@ const DARK: Palette = Palette {
     phugoid_slow: Color32::from_rgb(0xe6, 0xb0, 0x2e),
     third_mode: Color32::from_rgb(0x2f, 0xc9, 0x9a),
     divergence: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+    dutch_roll: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+    dutch_roll_slow: Color32::from_rgb(0xf0, 0xb8, 0xd6),
+    roll: Color32::from_rgb(0x2f, 0xc9, 0x9a),
+    spiral: Color32::from_rgb(0xe6, 0xb0, 0x2e),
 };
 
 impl Palette {
@@ -129,19 +141,20 @@ impl Palette {
         if ui.visuals().dark_mode { &DARK } else { &LIGHT }
     }
 
-    /// The one colour of a mode, wherever it is shown.
+    /// The one colour of a mode, wherever it is shown. Seven colours that all eyes can tell apart don't go round fourteen names: a
+    /// few names share one, of which no two are ever on screen together.
     pub const fn mode(&self, name: ModeName) -> Color32 {
         match name {
-            // The lateral modes borrow the colours of the longitudinal ones until they are drawn.
-            ModeName::ShortPeriod
-            | ModeName::ShortPeriodFastRoot
-            | ModeName::DutchRoll
-            | ModeName::DutchRollMoreStableRoot => self.short_period,
-            ModeName::ShortPeriodSlowRoot | ModeName::DutchRollLessStableRoot => self.short_period_slow,
-            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::Spiral => self.phugoid,
-            ModeName::PhugoidSlowRoot | ModeName::RollSubsidence => self.phugoid_slow,
-            ModeName::ThirdOscillatory | ModeName::CoupledRollSpiral => self.third_mode,
+            ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
+            ModeName::ShortPeriodSlowRoot => self.short_period_slow,
+            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::CoupledRollSpiral => self.phugoid,
+            ModeName::PhugoidSlowRoot => self.phugoid_slow,
+            ModeName::ThirdOscillatory => self.third_mode,
             ModeName::Divergence => self.divergence,
+            ModeName::DutchRoll | ModeName::DutchRollMoreStableRoot => self.dutch_roll,
+            ModeName::DutchRollLessStableRoot => self.dutch_roll_slow,
+            ModeName::RollSubsidence => self.roll,
+            ModeName::Spiral => self.spiral,
         }
     }
 
