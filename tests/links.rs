@@ -272,7 +272,11 @@ fn no_scene_is_too_long_for_a_link() {
     let mut scene = aircraft("navion");
     for p in parameters() {
         let range = p.range(&scene);
-        p.set(&mut scene, 0.3 / 7.0 * range.start() + (1.0 - 0.3 / 7.0) * range.end());
+        let value = 0.3 / 7.0 * range.start() + (1.0 - 0.3 / 7.0) * range.end();
+        match p.added(&scene) {
+            Some(_) => p.set_added(&mut scene, value),
+            None => p.set(&mut scene, value),
+        }
     }
     let view = LinkView { ghost: Some(scene.clone()), ..LinkView::of(&scene) };
     let link = link::write(&scene, &view);
