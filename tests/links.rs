@@ -74,6 +74,7 @@ prop_compose! {
         modes in prop::array::uniform2(0_usize..4),
         page in any::<Index>(),
         tab in any::<Index>(),
+        nonlinear in any::<bool>(),
     ) -> (Scenario, LinkView) {
         let mut scene = Scenario::new(of.get(&AIRCRAFT).clone());
         apply(&mut scene, &on_scene);
@@ -93,7 +94,7 @@ prop_compose! {
             Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost }
         });
         let pages: Vec<Page> = Page::DERIVATIVES.into_iter().filter(|page| page.is_of(&scene)).collect();
-        let view = LinkView { page: *page.get(&pages), tab: *tab.get(&Tab::ALL), ghost };
+        let view = LinkView { page: *page.get(&pages), tab: *tab.get(&Tab::ALL), nonlinear, ghost };
         (scene, view)
     }
 }
@@ -326,6 +327,7 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
         "lat" => of_plane(Plane::Lateral),
         "page" => opened.view.page.text().to_owned(),
         "tab" => opened.view.tab.text().to_owned(),
+        "nonlinear" => opened.view.nonlinear.to_string(),
         "pinned" => opened.view.ghost.is_some().to_string(),
         "edited" => scenario.is_edited().to_string(),
         key => {

@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::flight::plane::Plane;
-use eigenwing::scenario::{Page, Parameter, parameters};
+use eigenwing::scenario::{Page, Parameter, Source, parameters};
 use eigenwing::ui::App;
 
 const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
@@ -370,6 +370,8 @@ fn the_other_plane_names_its_own_modes_and_levels() {
     for name in ["Dutch roll", "Roll subsidence", "Spiral"] {
         assert_eq!(harness.query_all_by_role_and_label(Role::Heading, name).count(), 1, "{name}");
     }
+    harness.get_by_label("Level of the Dutch roll").click();
+    harness.run();
     assert!(harness.query_all_by_label_contains("MIL-F-8785C").count() >= 3);
 }
 
@@ -426,4 +428,45 @@ fn the_embedded_fonts_have_every_character_of_every_text() {
         }
     });
     harness.run_steps(3);
+}
+
+#[test]
+fn a_mode_is_flown_alone_from_its_card_and_given_up_again() {
+    let mut harness = page(WIDE);
+    harness.get_by_label("Fly the Phugoid alone").click();
+    harness.run();
+    let choice = app(&harness).scenario().disturbance.longitudinal;
+    assert_eq!((choice.source, choice.mode), (Source::OneMode, 1));
+    harness.get_by_label("Stop flying the Phugoid alone").click();
+    harness.run();
+    assert_eq!(app(&harness).scenario().disturbance.longitudinal.source, Source::Elevator);
+}
+
+#[test]
+fn shape_levels_and_approximations_of_every_mode_are_shown_on_request() {
+    let mut harness = page(WIDE);
+    for (button, seen) in [
+        ("Shape of the Short period", "Shape of the Short period: u/V"),
+        ("Level of the Phugoid", "Level 1: ζ is 0.0801, Level 1 asks at least 0.0400"),
+        ("Approximations of the Short period", "≈ pitch only: ω −27 %"),
+    ] {
+        assert_eq!(harness.query_all_by_label_contains(seen).count(), 0, "{seen}");
+        harness.get_by_label(button).click();
+        harness.run();
+        harness.get_by_label_contains(seen);
+    }
+}
+
+#[test]
+fn nonlinear_flight_is_drawn_beside_the_linear_motion_and_says_where_it_ends() {
+    let mut harness = page(WIDE);
+    let computations = app(&harness).computations();
+    harness.get_by_role_and_label(Role::CheckBox, "Nonlinear").click();
+    harness.run();
+    assert!(harness.query_all_by_label_contains("with nonlinear").count() >= 5);
+    type_into(&mut harness, "factor on the disturbance in ", "15");
+    harness.get_by_label_contains("Nonlinear flight ends: at ");
+    assert_eq!(app(&harness).computations(), computations + 1, "only the new size");
+    choose(&mut harness, "Aircraft", "Lesson 4, as printed");
+    harness.get_by_label_contains("No nonlinear flight: this aircraft is given by its matrices");
 }

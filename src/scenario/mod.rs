@@ -6,6 +6,7 @@ mod experiment;
 pub mod link;
 mod outlook;
 pub mod parameters;
+mod pose;
 mod quantity;
 
 use std::sync::Arc;
@@ -20,6 +21,7 @@ pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
+pub use pose::{Flown, MomentArrow, Pose};
 pub use quantity::Quantity;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::util::undoer::Undoer;
 use egui::{CentralPanel, Context, Frame, Key, Margin, Modifiers, Panel, RichText, ScrollArea, Ui};
 
-use super::derivatives::{Outlook, Rows, derivatives_ui};
+use super::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
 use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::pole_map::PoleMap;
@@ -71,6 +71,8 @@ struct View {
     poles: PoleMap,
     responses: Responses,
     page: Page,
+    /// What the sliders are narrowed down to.
+    search: String,
     /// Key of the slider that the help card speaks of.
     explained: &'static str,
     /// Key of the slider that the person is at, whose path is drawn.
@@ -119,6 +121,7 @@ impl App {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
                 page: Page::Coefficients,
+                search: String::new(),
                 explained: "cm_alpha",
                 touched: None,
                 phone_pane: PhonePane::default(),
@@ -153,7 +156,8 @@ impl App {
         let usual = LinkView::of(&self.scenario);
         let page = if self.view.page.is_of(&self.scenario) { self.view.page } else { usual.page };
         let ghost = self.ghost.as_ref().map(|ghost| ghost.scenario.clone());
-        link::write(&self.scenario, &LinkView { page, tab: self.view.responses.tab, ghost })
+        let Responses { tab, nonlinear, .. } = self.view.responses;
+        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost })
     }
 
     /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
@@ -166,6 +170,7 @@ impl App {
         self.scenario = opened.scenario;
         self.view.page = opened.view.page;
         self.view.responses.tab = opened.view.tab;
+        self.view.responses.nonlinear = opened.view.nonlinear;
         self.view.before_flight = [None; 2];
         self.share.opened(opened.notices);
     }
@@ -318,7 +323,10 @@ impl App {
             sensitivities: followed.map_or(&[], |followed| &followed.sensitivities),
             modes: self.memo.plane().map_or(&[], |plane| &plane.modes),
         };
-        self.view.touched = derivatives_ui(ui, &mut self.scenario, &mut self.view.page, rows, outlook);
+        self.view.touched = {
+            let View { page, search, .. } = &mut self.view;
+            derivatives_ui(ui, &mut self.scenario, Chosen { page, search }, rows, outlook)
+        };
         self.view.explained = self.view.touched.unwrap_or(self.view.explained);
         let (page, scenario) = (self.view.page, &self.scenario);
         if !Parameter::find(self.view.explained).is_some_and(|p| p.is_shown(scenario, page)) {
@@ -369,6 +377,9 @@ impl App {
         memo.refresh(scenario, view.page);
         view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
         memo.refresh(scenario, view.page);
+        if view.responses.shows_flight() {
+            memo.refresh_flight();
+        }
         match studied(scenario, memo) {
             Some(now) => {
                 let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
@@ -484,7 +495,7 @@ fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> 
 }
 
 fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
-    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes })
+    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes, flight: memo.flight() })
 }
 
 /// Why there is nothing to draw.

@@ -133,7 +133,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             ui.horizontal(|ui| {
                 let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
                 theme::heading(ui, name.color(color), 3);
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode, details));
             });
             numbers_ui(ui, mode);
             participation_ui(ui, plane.model.plane, mode, color);
@@ -196,20 +196,15 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             let hover = "What the textbook formulas give, and how far off they are";
             toggle(ui, &mut details.approximations, &best, "Approximations", hover);
         }
-        if judged(plane, mode).next().is_some() {
-            let hover = "The paragraphs of MIL-F-8785C that set the level";
-            toggle(ui, &mut details.levels, "Why this level", "Level", hover);
-        }
     });
     fly
 }
 
-/// The first textbook approximation with its error, for the button: "w and q alone −0.1 %".
+/// The error of the first textbook approximation, for the button: "≈ −0.1 %".
 fn best_approximation(plane: &PlaneAnalysis, mode: &Mode) -> Option<String> {
     let mut of_mode = plane.approximations.iter().filter(|a| a.name.concerns() == mode.naming.name);
     let first = of_mode.next()?;
-    let error = first.error().map_or_else(String::new, |error| format!(" {}", signed_percent(error)));
-    Some(format!("≈ {}{error}", first.name.text()))
+    Some(first.error().map_or_else(|| "≈".to_owned(), |error| format!("≈ {}", signed_percent(error))))
 }
 
 fn signed_percent(error: f64) -> String {
@@ -217,7 +212,7 @@ fn signed_percent(error: f64) -> String {
 }
 
 /// Whether it dies away, and the level of handling qualities where there is one.
-fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
+fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
     let text = match mode.stability {
         DynamicStability::Stable => "stable",
         DynamicStability::Neutral => "neutral",
@@ -226,15 +221,19 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     chip_ui(ui, text, Palette::of(ui).verdict(mode.stability));
     let worst = judged(plane, mode).map(|verdict| verdict.level).max();
     if let Some(level) = worst {
-        chip_ui(
-            ui,
-            level.text(),
-            Palette::of(ui).verdict(match level {
-                Level::One => DynamicStability::Stable,
-                Level::Two => DynamicStability::Neutral,
-                Level::Three | Level::Beyond => DynamicStability::Unstable,
-            }),
-        );
+        let (color, ground) = Palette::of(ui).verdict(match level {
+            Level::One => DynamicStability::Stable,
+            Level::Two => DynamicStability::Neutral,
+            Level::Three | Level::Beyond => DynamicStability::Unstable,
+        });
+        let mark = if details.levels { "▾" } else { "▸" };
+        let text = RichText::new(format!("{} {mark}", level.text())).font(theme::semibold(11.0)).color(color);
+        ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
+        let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
+        let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
+        if chip.on_hover_text("Which paragraphs of MIL-F-8785C set the level").clicked() {
+            details.levels = !details.levels;
+        }
     }
 }
 

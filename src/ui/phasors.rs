@@ -10,8 +10,10 @@ use crate::flight::modes::Mode;
 use crate::flight::plane::{Plane, PlaneModel};
 use crate::number::{fixed, significant};
 
-const SIZE: f32 = 118.0;
-const RADIUS: f32 = 44.0;
+const SIZE: f32 = 112.0;
+const RADIUS: f32 = 38.0;
+/// Shorter arrows are told in numbers only.
+const SHOWN: f64 = 0.1;
 
 /// One arrow: symbol, and its size and phase beside the largest.
 struct Phasor {
@@ -30,7 +32,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
         draw(ui, rect, &phasors, color);
         ui.vertical(|ui| {
-            ui.add_space(14.0);
+            ui.add_space(10.0);
             for phasor in &phasors {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
@@ -39,7 +41,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
                         &Symbol::parse(phasor.symbol),
                         13.0,
                         palette.text,
-                        Some(40.0),
+                        Some(34.0),
                     );
                     ui.label(RichText::new(phasor.numbers()).font(theme::small()));
                 });
@@ -96,7 +98,7 @@ fn draw(ui: &Ui, rect: Rect, phasors: &[Phasor], color: Color32) {
         painter.line_segment([center + a * RADIUS, center + b * RADIUS], hairline);
     }
     let mut labels: Vec<Rect> = Vec::new();
-    for phasor in phasors.iter().filter(|phasor| phasor.value.norm() >= 0.02) {
+    for phasor in phasors.iter().filter(|phasor| phasor.value.norm() >= SHOWN) {
         // Up on screen is the positive imaginary axis.
         let direction = Vec2::new(phasor.value.re as f32, -phasor.value.im as f32);
         let tip = center + direction * RADIUS;
@@ -106,7 +108,7 @@ fn draw(ui: &Ui, rect: Rect, phasors: &[Phasor], color: Color32) {
         labels.push(place);
         painter.galley(place.min, galley, palette.text);
     }
-    if phasors.iter().all(|phasor| phasor.value.norm() < 0.02) {
+    if phasors.iter().all(|phasor| phasor.value.norm() < SHOWN) {
         painter.text(center, Align2::CENTER_CENTER, "–", theme::small(), palette.weak);
     }
 }

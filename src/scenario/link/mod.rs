@@ -38,6 +38,8 @@ pub struct LinkView {
     pub page: Page,
     /// In which way the response is shown.
     pub tab: Tab,
+    /// Whether the nonlinear flight is drawn beside the linear motion.
+    pub nonlinear: bool,
     /// The pinned state. Its disturbance and plane are those of the scene.
     pub ghost: Option<Scenario>,
 }
@@ -56,7 +58,7 @@ pub struct Opened {
 impl LinkView {
     /// The view that a link without a word about it leads to.
     pub fn of(scenario: &Scenario) -> Self {
-        Self { page: Page::of(scenario), tab: Tab::default(), ghost: None }
+        Self { page: Page::of(scenario), tab: Tab::default(), nonlinear: false, ghost: None }
     }
 }
 
@@ -78,6 +80,11 @@ pub fn write(scenario: &Scenario, view: &LinkView) -> String {
         && let Some(word) = words::word_of(&words::TABS, view.tab)
     {
         pieces.push(("tab".to_owned(), word.to_owned()));
+    }
+    if view.nonlinear != usual.nonlinear
+        && let Some(word) = words::word_of(&words::FLIGHTS, view.nonlinear)
+    {
+        pieces.push(("flight".to_owned(), word.to_owned()));
     }
     if let Some(ghost) = &view.ghost {
         write_aircraft(ghost, words::PINNED, &mut pieces);
@@ -167,6 +174,7 @@ pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
         }
     }
     view.tab = pieces.take_word("tab", &words::TABS).unwrap_or(view.tab);
+    view.nonlinear = pieces.take_word("flight", &words::FLIGHTS).unwrap_or(view.nonlinear);
     Some(Opened { scenario, view, notices: pieces.finish() })
 }
 

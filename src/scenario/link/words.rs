@@ -46,6 +46,9 @@ pub(super) const PAGES: [(&str, Page); 3] =
 pub(super) const TABS: [(&str, Tab); 4] =
     [("time", Tab::Time), ("phase", Tab::Phase), ("frequency", Tab::Frequency), ("figures", Tab::Figures)];
 
+/// Whether the nonlinear flight is drawn too.
+pub(super) const FLIGHTS: [(&str, bool); 2] = [("linear", false), ("nonlinear", true)];
+
 pub(super) const SOURCES: [(&str, Source); 10] = [
     ("elevator", Source::Elevator),
     ("throttle", Source::Throttle),

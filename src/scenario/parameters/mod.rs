@@ -358,17 +358,21 @@ impl Parameter {
         }
     }
 
-    /// Accepts or refuses a value \[SI\] that was typed or came from outside.
-    pub fn check(&self, scenario: &Scenario, value: f64) -> Result<f64, ValueError> {
+    /// What [`Self::check`] accepts \[SI\].
+    pub fn accepted(&self, scenario: &Scenario) -> RangeInclusive<f64> {
         let range = self.range(scenario);
-        let accepted = match self.extent {
+        match self.extent {
             Extent::Fixed { .. } => range,
             Extent::Relative { .. } | Extent::Gravity => {
                 let reach = TYPED_BEYOND * range.start().abs().max(range.end().abs());
                 -reach..=reach
             }
-        };
-        self.check_within(scenario, value, accepted)
+        }
+    }
+
+    /// Accepts or refuses a value \[SI\] that was typed or came from outside.
+    pub fn check(&self, scenario: &Scenario, value: f64) -> Result<f64, ValueError> {
+        self.check_within(scenario, value, self.accepted(scenario))
     }
 
     fn check_within(
