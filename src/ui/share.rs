@@ -1,7 +1,7 @@
 //! What a person sees of links: a word that one was copied, and what was left out of one that was opened.
 
 use egui::accesskit::Live;
-use egui::{Align2, Area, Button, Frame, Id, Margin, Order, Panel, RichText, Ui, Vec2};
+use egui::{Align2, Area, Frame, Id, Margin, Order, Panel, RichText, Ui, Vec2};
 
 use super::theme::{self, Palette};
 use crate::scenario::link::Notice;
@@ -51,13 +51,12 @@ impl Share {
         let palette = Palette::of(ui);
         let ground = Frame::new().fill(palette.warning_ground).inner_margin(Margin::symmetric(14, 7));
         let dismissed = Panel::top("notices").frame(ground).show(ui, |ui| {
-            let dismiss = ui.add(Button::new("Dismiss")).on_hover_text("Hide what was left out of the link");
             for line in lines(&self.notices) {
                 let text =
                     RichText::new(format!("⚠ {line}")).font(theme::semibold(12.0)).color(palette.warning);
                 ui.label(text);
             }
-            dismiss.clicked()
+            ui.button("Dismiss").on_hover_text("Hide what was left out of the link").clicked()
         });
         if dismissed.inner {
             self.notices.clear();
