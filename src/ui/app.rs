@@ -16,6 +16,7 @@ use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::pole_map::PoleMap;
 use super::responses::{Responses, Studied};
+use super::share::Share;
 use super::theme::{self, Look, Palette};
 use super::top_bar::{Bar, top_bar_ui};
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
@@ -23,6 +24,7 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
+use crate::scenario::link::{self, LinkView};
 use crate::scenario::{Choice, Disturbance, Flown, Page, Parameter, Scenario, Source, parameters};
 
 /// Below this width the page is a phone's.
@@ -51,6 +53,8 @@ pub enum Action {
     Undo,
     /// Go forward one step.
     Redo,
+    /// Copy the whole scene as a link.
+    CopyLink,
 }
 
 /// A pinned state.
@@ -105,6 +109,7 @@ pub struct App {
     memo: Memo,
     ghost_memo: Memo,
     history: Undoer<Scenario>,
+    share: Share,
     view: View,
 }
 
@@ -127,6 +132,7 @@ impl App {
             memo: Memo::default(),
             ghost_memo: Memo::default(),
             history: Undoer::default(),
+            share: Share::default(),
             view: View {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
@@ -164,6 +170,40 @@ impl App {
         self.memo.computations() + self.ghost_memo.computations()
     }
 
+    /// The whole scene as a link, without the `#`.
+    pub fn link(&self) -> String {
+        let usual = LinkView::of(&self.scenario);
+        let page = if self.view.page.is_of(&self.scenario) { self.view.page } else { usual.page };
+        let ghost = self.ghost.as_ref().map(|ghost| ghost.scenario.clone());
+        let Responses { tab, nonlinear, .. } = self.view.responses;
+        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost })
+    }
+
+    /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
+    pub fn open(&mut self, link: &str) {
+        let Some(opened) = link::read(link, &self.aircraft) else { return };
+        if self.computations() > 0 {
+            self.history.add_undo(&self.scenario);
+        }
+        self.ghost = opened.view.ghost.map(|scenario| Ghost { name: name(&scenario), scenario });
+        self.scenario = opened.scenario;
+        self.view.page = opened.view.page;
+        self.view.responses.tab = opened.view.tab;
+        self.view.responses.nonlinear = opened.view.nonlinear;
+        self.view.before_flight = [None; 2];
+        self.share.opened(opened.notices);
+    }
+
+    /// Tells the address of the page, which stands before the `#` of a copied link.
+    pub fn set_address(&mut self, address: String) {
+        self.share.address = address;
+    }
+
+    /// A sentence that a screen reader is to say, once.
+    pub fn take_unsaid(&mut self) -> Option<String> {
+        self.share.take_unsaid()
+    }
+
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
@@ -191,13 +231,15 @@ impl App {
             })
             .inner
             .or(action);
+        self.share.notices_ui(ui);
         action = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, width >= TABLET) }.or(action);
         if self.view.help {
             self.view.help = keys::sheet_ui(ui);
         }
         if let Some(action) = action {
-            self.apply(action);
+            self.apply(action, ui);
         }
+        self.share.copied_ui(ui);
         if !self.memo.is_of(&self.scenario, self.view.page) {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
@@ -211,7 +253,7 @@ impl App {
             Command::Undo => return Some(Action::Undo),
             Command::Redo => return Some(Action::Redo),
             Command::Pin => return Some(if self.ghost.is_some() { Action::Unpin } else { Action::Pin }),
-            Command::CopyLink => return None,
+            Command::CopyLink => return Some(Action::CopyLink),
             Command::Play => self.view.flight.toggle(),
             Command::Maximise(pane) => {
                 self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
@@ -541,11 +583,13 @@ impl App {
         disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
     }
 
-    fn apply(&mut self, action: Action) {
+    fn apply(&mut self, action: Action, ui: &Ui) {
         match action {
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
             Action::Turn(plane) => self.scenario.plane = plane,
-            Action::Pin => self.ghost = Some(Ghost { name: self.name(), scenario: self.scenario.clone() }),
+            Action::Pin => {
+                self.ghost = Some(Ghost { name: name(&self.scenario), scenario: self.scenario.clone() })
+            }
             Action::CompareWith(aircraft) => {
                 self.ghost = Some(Ghost {
                     name: aircraft.name.clone(),
@@ -563,13 +607,15 @@ impl App {
                     self.scenario = after.clone();
                 }
             }
+            Action::CopyLink => self.share.copy(ui, &self.link()),
         }
     }
+}
 
-    fn name(&self) -> String {
-        let edited = if self.scenario.is_edited() { ", edited" } else { "" };
-        format!("{}{edited}", self.scenario.aircraft.name)
-    }
+/// What a pinned state is called.
+fn name(scenario: &Scenario) -> String {
+    let edited = if scenario.is_edited() { ", edited" } else { "" };
+    format!("{}{edited}", scenario.aircraft.name)
 }
 
 /// A round time in which three periods of a mode, or most of its dying away or growing, are seen \[s\].

@@ -16,6 +16,7 @@ mod pole_grid;
 mod pole_labels;
 mod pole_map;
 mod responses;
+mod share;
 mod slider;
 mod symbol;
 mod theme;

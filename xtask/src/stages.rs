@@ -58,9 +58,11 @@ fn test_core(project: &Project) -> Result<()> {
 }
 
 fn test_ui(project: &Project) -> Result<()> {
-    run(cargo(project)
-        .args(["test", "--locked", "--no-default-features"])
-        .args(["--features=ui-tests", "--test=ui"]))
+    run(cargo(project).args(["test", "--locked", "--no-default-features"]).args([
+        "--features=ui-tests",
+        "--test=ui",
+        "--test=ui_links",
+    ]))
 }
 
 /// Finds what is unused or missing without a user interface.
