@@ -5,6 +5,7 @@ mod disturbance;
 mod experiment;
 mod outlook;
 pub mod parameters;
+mod placement;
 mod quantity;
 
 use std::sync::Arc;
@@ -19,6 +20,7 @@ pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
+pub use placement::{Obstacle, Placed, PlacementError, by_strength};
 pub use quantity::Quantity;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
