@@ -39,6 +39,7 @@ pub mod inputs;
 pub mod inverse;
 pub mod knobs;
 mod least_change;
+pub mod level_boundaries;
 pub mod locus;
 pub mod mil_f_8785c;
 pub mod modal_sum;

@@ -9,9 +9,7 @@ use crate::content::LengthUnit;
 use crate::flight::Analysis;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::handling_qualities::{Level, Verdict};
-use crate::flight::mil_f_8785c::Criterion;
 use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::naming::ModeName;
 use crate::flight::plane::Plane;
 use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict, Stiffness};
 use crate::number::significant;
@@ -156,14 +154,7 @@ fn chip_ui(ui: &mut Ui, text: &str, (color, ground): (Color32, Color32)) {
 /// The verdicts on handling qualities that concern a mode.
 fn judged<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a Verdict> {
     let name = mode.naming.name;
-    plane.levels.iter().filter(move |verdict| match verdict.criterion {
-        Criterion::ShortPeriodDamping | Criterion::ShortPeriodFrequency => name == ModeName::ShortPeriod,
-        Criterion::Phugoid => name == ModeName::Phugoid,
-        Criterion::DutchRoll => name == ModeName::DutchRoll,
-        Criterion::RollMode => name == ModeName::RollSubsidence,
-        Criterion::Spiral => name == ModeName::Spiral,
-        Criterion::CoupledRollSpiral => name == ModeName::CoupledRollSpiral,
-    })
+    plane.levels.iter().filter(move |verdict| verdict.criterion.concerns() == name)
 }
 
 fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
