@@ -5,9 +5,11 @@ use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aerodynamics::Controls;
 use eigenwing::flight::approximations::approximations;
 use eigenwing::flight::edits::Edited;
 use eigenwing::flight::eigen::eigen;
+use eigenwing::flight::flight_path::Excitation;
 use eigenwing::flight::handling_qualities::handling_qualities;
 use eigenwing::flight::inputs::Input;
 use eigenwing::flight::inverse::{Adjustable, place_pole};
@@ -17,11 +19,12 @@ use eigenwing::flight::modes::modes;
 use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::response::{Forced, TimeGrid, respond};
 use eigenwing::flight::sensitivity::entry_sensitivity;
+use eigenwing::flight::six_dof::{SixDof, Wind};
 use eigenwing::flight::static_stability::plane_static_stability;
 use eigenwing::flight::study::{MatrixStudy, Study};
 use eigenwing::flight::{Channel, Experiment, Start, analyse};
 use eigenwing::scenario::{Page, Scenario};
-use nalgebra::{Complex, Matrix4, Matrix4x2};
+use nalgebra::{Complex, Matrix4, Matrix4x2, Vector4};
 
 const GRID: TimeGrid = TimeGrid { duration: 60.0, steps: 1200 };
 const STEP: Input = Input::Step { amplitude: 0.0175, start: 1.0 };
@@ -75,6 +78,30 @@ fn whole(criterion: &mut Criterion) {
     }
 }
 
+/// A minute of nonlinear flight: an elevator step and a rudder kick, 1,201 samples.
+fn nonlinear(criterion: &mut Criterion) {
+    let ready = navion().map(|scenario| (SixDof::new(&scenario.edited), scenario));
+    let Some((Ok(flight), scenario)) = ready else { return };
+    let controls = |t: f64| Controls {
+        elevator: if t >= 1.0 { -0.0175 } else { 0.0 },
+        rudder: if (1.0..2.0).contains(&t) { 0.05 } else { 0.0 },
+        ..Controls::default()
+    };
+    let excitation = Excitation {
+        controls: &controls,
+        wind: &|_| Wind::default(),
+        edges: &[1.0, 2.0],
+        longitudinal: Vector4::zeros(),
+        lateral: Vector4::zeros(),
+    };
+    criterion.bench_function("navion/six_dof_trim", |bench| {
+        bench.iter(|| SixDof::new(black_box(&scenario.edited)));
+    });
+    criterion.bench_function("navion/fly_60_s", |bench| {
+        bench.iter(|| black_box(&flight).fly(&excitation, GRID));
+    });
+}
+
 fn parts(criterion: &mut Criterion) {
     let Some(models) = navion().and_then(|scenario| scenario.edited.models().ok()) else { return };
     for (plane, name) in [(Plane::Longitudinal, "longitudinal"), (Plane::Lateral, "lateral")] {
@@ -124,5 +151,5 @@ fn parts(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, whole, parts);
+criterion_group!(benches, whole, nonlinear, parts);
 criterion_main!(benches);

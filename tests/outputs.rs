@@ -311,3 +311,41 @@ fn twice_the_disturbance_is_twice_the_motion() {
         }
     }
 }
+
+/// Small enough, the nonlinear flight shows every output that the linear motion shows: the same sign, unit and meaning.
+#[test]
+fn every_output_of_a_small_nonlinear_flight_is_the_linear_one() {
+    for key in ["navion", "bristol-f2b", "b747-fc9", "x15"] {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            for &source in Source::of(plane) {
+                let mut scenario = scenario(key, plane, source, Shape::Step);
+                scenario.disturbance.choice_mut(plane).control_shape = Shape::Doublet;
+                scenario.disturbance.choice_mut(plane).gust_shape = Shape::OneMinusCosine;
+                scenario.disturbance.sizes.times = 1e-3;
+                scenario.disturbance.sizes.time = 8.0;
+                let analysis = scenario.analyse().expect("an analysis");
+                let Some(Ok(analysed)) = analysis.of(plane) else { continue };
+                let flight = scenario.fly(analysed).expect("a flight");
+                assert_eq!(flight.stop, None, "{key} {source:?}");
+                let motion = analysis.motion.as_ref().expect("a motion");
+                for &output in Output::of(plane) {
+                    let linear = motion.values(output);
+                    let flown = output.of_flight(&motion.model, &flight);
+                    // The integrator's 1e-9 a step, of a path of some kilometres, is the floor: what hardly moves can't be told from it.
+                    let floor = match output {
+                        Output::Distance | Output::Height | Output::Offset => 3e-5,
+                        _ => 3e-7,
+                    };
+                    let most = linear.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                    for (k, (flown, linear)) in flown.iter().zip(&linear).enumerate() {
+                        let off = (flown - linear).abs();
+                        assert!(
+                            off <= 5e-3 * most + floor,
+                            "{key} {source:?} {output:?} at {k}: {flown:e} should be {linear:e} of {most:e}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::flight::plane::Plane;
-use eigenwing::scenario::{Page, Parameter, parameters};
+use eigenwing::scenario::{Page, Parameter, Source, parameters};
 use eigenwing::ui::App;
 
 const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
@@ -45,7 +45,10 @@ fn value(harness: &Harness<'_, Option<App>>, key: &str) -> f64 {
 fn choose(harness: &mut Harness<'_, Option<App>>, chooser: &str, choice: &str) {
     harness.get_by_role_and_label(Role::ComboBox, chooser).click();
     harness.run();
-    harness.get_by_label_contains(choice).click();
+    let exact = harness
+        .query_all_by_role(Role::Button)
+        .find(|node| node.accesskit_node().label().is_some_and(|label| label == choice));
+    exact.unwrap_or_else(|| harness.get_by_label_contains(choice)).click();
     harness.run();
 }
 
@@ -237,16 +240,77 @@ fn motion(harness: &Harness<'_, Option<App>>) -> eigenwing::flight::analysis::Mo
 #[test]
 fn each_disturbance_can_be_chosen_and_sized() {
     let mut harness = page(WIDE);
-    for (choice, field) in [
-        ("Elevator pulse", "elevator pulse in deg"),
-        ("Vertical gust", "speed of the rising air in m/s"),
-        ("Elevator step", "elevator step in deg"),
+    for (source, shape, field) in [
+        ("Elevator", Some("pulse"), "elevator pulse in deg"),
+        ("Elevator", Some("doublet"), "length of a part in s"),
+        ("Throttle", Some("3-2-1-1"), "throttle in %"),
+        ("Elevator", Some("sine"), "frequency in rad/s"),
+        ("Elevator", Some("sweep"), "frequency at the end of the sweep in rad/s"),
+        ("Vertical gust", Some("1 − cosine"), "speed of the rising air in m/s"),
+        ("Head gust", Some("step"), "speed of the air from ahead in m/s"),
+        ("Turbulence", None, "strength of the turbulence in m/s"),
+        ("Released from", None, "pitch rate at release in deg/s"),
+        ("One mode", None, "size of the mode in deg"),
+        ("Elevator", Some("step"), "factor on the disturbance in "),
     ] {
-        choose(&mut harness, "Disturbance", choice);
+        choose(&mut harness, "Disturbance", source);
+        if let Some(shape) = shape {
+            choose(&mut harness, "Shape of the disturbance", shape);
+        }
         let before = motion(&harness);
-        type_into(&mut harness, field, "2");
-        assert_ne!(motion(&harness), before, "{choice}");
+        type_into(&mut harness, field, "2.5");
+        assert!(motion(&harness) != before, "{source} {shape:?}");
     }
+}
+
+#[test]
+fn one_mode_alone_is_chosen_by_name() {
+    let mut harness = page(WIDE);
+    choose(&mut harness, "Disturbance", "One mode");
+    let before = motion(&harness);
+    choose(&mut harness, "Mode flown alone", "Phugoid");
+    assert!(motion(&harness) != before);
+}
+
+#[test]
+fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_figures() {
+    for size in [WIDE, TABLET, PHONE] {
+        let mut harness = page(size);
+        if size == PHONE {
+            harness.get_by_role_and_label(Role::Button, "Response").click();
+            harness.run();
+        }
+        harness.get_by_label_contains("Δu in m/s against time");
+        harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
+        harness.run();
+        harness.get_by_label_contains("Δu in m/s against time: between 0 and 10.9");
+        let least = if size == PHONE { 1 } else { 4 };
+        assert!(harness.query_all_by_label_contains("with Short period, Phugoid").count() >= least, "{size}");
+        harness.get_by_role_and_label(Role::Button, "Phase").click();
+        harness.run();
+        harness.get_by_label_contains("q in deg/s against Δα");
+        choose(&mut harness, "Left portrait, upward", "Δh · height gained");
+        harness.get_by_label_contains("Δh in m against Δα");
+        harness.get_by_role_and_label(Role::Button, "Frequency").click();
+        harness.run();
+        harness.get_by_label_contains("Short period peak: 2.54 deg/s per deg at 3.14 rad/s");
+        choose(&mut harness, "Output of the frequency response", "Δn_z · normal load factor");
+        harness.get_by_label_contains("dB of g per deg");
+        harness.get_by_role_and_label(Role::Button, "Figures").click();
+        harness.run();
+        harness.get_by_label_contains("Phugoid, first swing of the height");
+    }
+}
+
+#[test]
+fn which_outputs_are_shown_can_be_chosen() {
+    let mut harness = page(WIDE);
+    assert_eq!(harness.query_all_by_label_contains("Δn_z in g").count(), 0);
+    harness.get_by_role_and_label(Role::Button, "Show ▾").click();
+    harness.run();
+    harness.get_by_label("Δn_z · normal load factor").click();
+    harness.run();
+    harness.get_by_label_contains("Δn_z in g against time");
 }
 
 #[test]
@@ -306,6 +370,8 @@ fn the_other_plane_names_its_own_modes_and_levels() {
     for name in ["Dutch roll", "Roll subsidence", "Spiral"] {
         assert_eq!(harness.query_all_by_role_and_label(Role::Heading, name).count(), 1, "{name}");
     }
+    harness.get_by_label("Level of the Dutch roll").click();
+    harness.run();
     assert!(harness.query_all_by_label_contains("MIL-F-8785C").count() >= 3);
 }
 
@@ -362,4 +428,45 @@ fn the_embedded_fonts_have_every_character_of_every_text() {
         }
     });
     harness.run_steps(3);
+}
+
+#[test]
+fn a_mode_is_flown_alone_from_its_card_and_given_up_again() {
+    let mut harness = page(WIDE);
+    harness.get_by_label("Fly the Phugoid alone").click();
+    harness.run();
+    let choice = app(&harness).scenario().disturbance.longitudinal;
+    assert_eq!((choice.source, choice.mode), (Source::OneMode, 1));
+    harness.get_by_label("Stop flying the Phugoid alone").click();
+    harness.run();
+    assert_eq!(app(&harness).scenario().disturbance.longitudinal.source, Source::Elevator);
+}
+
+#[test]
+fn shape_levels_and_approximations_of_every_mode_are_shown_on_request() {
+    let mut harness = page(WIDE);
+    for (button, seen) in [
+        ("Shape of the Short period", "Shape of the Short period: u/V"),
+        ("Level of the Phugoid", "Level 1: ζ is 0.0801, Level 1 asks at least 0.0400"),
+        ("Approximations of the Short period", "≈ pitch only: ω −27 %"),
+    ] {
+        assert_eq!(harness.query_all_by_label_contains(seen).count(), 0, "{seen}");
+        harness.get_by_label(button).click();
+        harness.run();
+        harness.get_by_label_contains(seen);
+    }
+}
+
+#[test]
+fn nonlinear_flight_is_drawn_beside_the_linear_motion_and_says_where_it_ends() {
+    let mut harness = page(WIDE);
+    let computations = app(&harness).computations();
+    harness.get_by_role_and_label(Role::CheckBox, "Nonlinear").click();
+    harness.run();
+    assert!(harness.query_all_by_label_contains("with nonlinear").count() >= 5);
+    type_into(&mut harness, "factor on the disturbance in ", "15");
+    harness.get_by_label_contains("Nonlinear flight ends: at ");
+    assert_eq!(app(&harness).computations(), computations + 1, "only the new size");
+    choose(&mut harness, "Aircraft", "Lesson 4, as printed");
+    harness.get_by_label_contains("No nonlinear flight: this aircraft is given by its matrices");
 }

@@ -13,6 +13,7 @@ use crate::flight::derivatives::{
     LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives,
 };
 use crate::flight::plane::Trim;
+use crate::flight::rigid_body::Inertia;
 use crate::flight::study::{CoefficientStudy, DerivativeStudy, Study};
 
 /// Axes in which a file's derivatives are given.
@@ -255,6 +256,7 @@ pub(super) fn derivative_study(
         altitude: Some(altitude),
         mach: flight.mach,
     };
+    let iy = block.optional_positive("Iy")?.map(|iy| iy * units.inertia());
     let inertia = read_inertia(&mut block, units)?;
     let notes = Vec::from_iter(block.optional_text("source")?);
     block.finish()?;
@@ -278,7 +280,9 @@ pub(super) fn derivative_study(
     }
     let lateral = lateral.map(|block| read_lateral(block, length, speed, inertia)).transpose()?;
     let trim = Trim { speed, alpha0, gamma0, gravity: flight.gravity };
-    Ok((Study::Derivatives(DerivativeStudy { trim, longitudinal: Some(d), lateral }), particulars, notes))
+    let inertia = inertia.zip(iy).map(|(PlanarInertia { ix, iz, ixz }, iy)| Inertia { ix, iy, iz, ixz });
+    let study = DerivativeStudy { trim, inertia, longitudinal: Some(d), lateral };
+    Ok((Study::Derivatives(study), particulars, notes))
 }
 
 /// Ix, Iz and Ixz with their axes: all or none.
@@ -287,7 +291,6 @@ fn read_inertia(
     units: UnitSystem,
 ) -> Result<Option<(PlanarInertia, InertiaAxes)>, ContentError> {
     let unit = units.inertia();
-    block.optional_positive("Iy")?;
     if !block.has("Ixz") {
         block.optional_positive("Ix")?;
         block.optional_positive("Iz")?;

@@ -1,13 +1,16 @@
-//! The aircraft that ship with the page: read from TOML in the source's own units, converted once to SI.
+//! The aircraft that ship with the page: read from TOML in the source's own units, converted once to SI. And bare matrices
+//! from elsewhere.
 
 pub mod aircraft;
 mod aircraft_file;
 mod airframe_file;
+mod matrix;
 mod published;
 mod reader;
 mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};
+pub use matrix::MatrixFormat;
 
 /// The files in the order of the chooser. To add an aircraft, add its file and its line.
 pub const FILES: [(&str, &str); 18] = [

@@ -1,4 +1,12 @@
-//! What other programs read: the state of the page as JSON.
+//! What other programs ask and read. [`state()`] is that of the page; all else answers a request about a [`Subject`]: the
+//! command line and JavaScript go through the same functions. SI and radians, and every number finite or null.
+
+pub mod json;
+mod list;
+mod report;
+mod respond;
+mod subject;
+mod sweep;
 
 use serde_json::{Map, Value, json};
 
@@ -8,6 +16,17 @@ use crate::flight::plane::Plane;
 use crate::flight::static_stability::StaticVerdict;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::{Scenario, parameters};
+
+pub use list::{ParameterReport, list, parameters_of};
+pub use report::{
+    AircraftReport, ApproximationReport, JudgedReport, LevelReport, ModeReport, PlaneOutcome, PlaneReport,
+    Report, StaticReport, StiffnessReport, TrimReport, Units, ValueReport, analyse,
+};
+pub use respond::{DISTURBANCES, ResponseReport, ResponseRequest, SHAPES, Signal, respond};
+pub use subject::{ExportError, Source, Subject};
+pub use sweep::{
+    MOST_POINTS, Sweep, SweepChange, SweepMode, SweepPlane, SweepPoint, SweepReport, SweepRequest,
+};
 
 /// What is studied and what follows from it, SI and radians; an analysis that failed is a sentence.
 pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) -> Value {

@@ -6,18 +6,15 @@ use thiserror::Error;
 use super::approximations::{Approximation, approximations};
 use super::edits::{Edited, Offsets};
 use super::eigen::EigenError;
-use super::gusts::{air_across, air_along, gust, penetration_column};
+use super::experiment::{Experiment, forced};
 use super::handling_qualities::{Verdict, handling_qualities};
-use super::inputs::Input;
 use super::mil_f_8785c::{Category, Class};
-use super::modal_sum::{ModalSum, SplitError, modal_sum, single_mode};
+use super::modal_sum::{ModalSum, SplitError, modal_sum};
 use super::modes::{DynamicStability, Mode, modes};
 use super::outputs::Output;
-use super::path::path_rates;
 use super::plane::{Plane, PlaneModel};
-use super::response::{Forced, Forcing, Response, TimeGrid, respond};
+use super::response::{Forced, Response, respond};
 use super::states::Longitudinal::{Theta, U};
-use super::states::{Lateral, Longitudinal};
 use super::static_stability::{
     PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,
 };
@@ -25,48 +22,6 @@ use super::study::{Derived, Models, Study, StudyError};
 
 /// Standard acceleration of free fall g \[m/s²\] (CGPM 1901).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
-
-/// Where a disturbance enters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Channel {
-    /// The first input of the plane \[rad\]: elevator, trailing edge down positive, or aileron in the source's sense.
-    First,
-    /// The second: throttle as a fraction of the weight, or rudder \[rad\], trailing edge left positive.
-    Second,
-    /// Air moving along the flight \[m/s\], u_g forward positive; it does nothing in the lateral plane.
-    AirAlong,
-    /// Air moving across the flight \[m/s\]: w_g downward positive, or v_g to the right positive.
-    AirAcross,
-}
-
-/// The state in which a motion begins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
-    /// Steady flight.
-    Rest,
-    /// Away from it: \[u, α, q, θ\] or \[β, p, r, φ\], SI and radians.
-    Released([f64; 4]),
-    /// In one mode alone.
-    Mode {
-        /// Its place in the order of the modes; the last one where there are fewer.
-        index: usize,
-        /// Size of its flow angle or attitude, whichever is the larger \[rad\].
-        amplitude: f64,
-    },
-}
-
-/// Disturbances that act together, and the time for which the motion is watched.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Experiment {
-    /// The plane that they disturb.
-    pub plane: Plane,
-    /// Where each enters, and its shape in time.
-    pub inputs: Vec<(Channel, Input)>,
-    /// How it begins.
-    pub start: Start,
-    /// The samples at which the motion is wanted.
-    pub grid: TimeGrid,
-}
 
 /// What a specification is applied for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -235,61 +190,6 @@ fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -
     let forced = forced(edited, model, &experiment.inputs, experiment.start, modes);
     let response = respond(&forced, experiment.grid);
     Motion { small_until: small_until(model, &response), model: model.clone(), forced, response }
-}
-
-/// The equations of a plane with what drives them; `modes` are those of the model, of which one may be the start.
-pub fn forced(
-    edited: &Edited,
-    model: &PlaneModel,
-    inputs: &[(Channel, Input)],
-    start: Start,
-    modes: &[Mode],
-) -> Forced {
-    let plane = model.plane;
-    let forcing = |(channel, input): &(Channel, Input)| {
-        let input = input.clone();
-        match channel {
-            Channel::First => Forcing::new(model.b.column(0).into_owned(), input),
-            Channel::Second => Forcing::new(model.b.column(1).into_owned(), input),
-            Channel::AirAlong => gust(model, air_along(plane), Vector4::zeros(), input),
-            Channel::AirAcross => {
-                let derivatives = edited.derivatives().ok().flatten();
-                gust(model, air_across(plane), penetration_column(plane, derivatives.as_ref()), input)
-            }
-        }
-    };
-    Forced {
-        a: model.a,
-        path: path_rates(model),
-        forcings: inputs.iter().map(forcing).collect(),
-        start: beginning(model, start, modes),
-    }
-}
-
-fn beginning(model: &PlaneModel, start: Start, modes: &[Mode]) -> Vector4<f64> {
-    match start {
-        Start::Rest => Vector4::zeros(),
-        Start::Released([first, second, third, fourth]) => {
-            let speed = model.trim.speed;
-            match model.plane {
-                Plane::Longitudinal => Vector4::new(first, second * speed, third, fourth),
-                Plane::Lateral => Vector4::new(first * speed, second, third, fourth),
-            }
-        }
-        Start::Mode { index, amplitude } => {
-            let mode = modes.get(index).or(modes.last());
-            mode.map_or_else(Vector4::zeros, |mode| single_mode(mode, angles(model), amplitude))
-        }
-    }
-}
-
-/// Rows that read the flow angle and the attitude off the states: w/V and θ, or v/V and φ.
-pub fn angles(model: &PlaneModel) -> [Vector4<f64>; 2] {
-    let (flow, attitude) = match model.plane {
-        Plane::Longitudinal => (Longitudinal::W.index(), Longitudinal::Theta.index()),
-        Plane::Lateral => (Lateral::V.index(), Lateral::Phi.index()),
-    };
-    [Vector4::ith(flow, 1.0 / model.trim.speed), Vector4::ith(attitude, 1.0)]
 }
 
 /// When a motion first leaves |u| ≤ V/2, α, β ≤ 0.35 rad (20°, about the stall), attitude ≤ 1 rad; `None` if it never does.

@@ -38,9 +38,10 @@ pub struct MatrixOffsets {
 impl Offsets {
     /// Derivatives with their offsets.
     pub fn on<T: Real>(&self, study: DerivativeStudy<T>) -> DerivativeStudy<T> {
-        let DerivativeStudy { trim, longitudinal, lateral } = study;
+        let DerivativeStudy { trim, inertia, longitudinal, lateral } = study;
         DerivativeStudy {
             trim,
+            inertia,
             longitudinal: longitudinal.map(|d| d.zip(&self.longitudinal, |x, offset: f64| x + offset)),
             lateral: lateral.map(|d| d.zip(&self.lateral, |x, offset: f64| x + offset)),
         }

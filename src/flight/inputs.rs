@@ -227,12 +227,15 @@ fn on(t: f64, start: f64, duration: f64) -> bool {
     t >= start && t < start + duration
 }
 
-/// Sample before t, from the first one on, and the fraction of the way to the next.
+/// Of a sample's interval: so near before a sample counts as on it, since times that are the same on paper are rounded.
+pub const ON_A_SAMPLE: f64 = 1e-9;
+
+/// Sample at or before t, from the first one on, and the fraction of the way to the next.
 fn sample(t: f64, dt: f64) -> (usize, f64) {
     let position = (t / dt).max(0.0);
     // Beyond what memory holds the last sample is held anyway.
-    let k = position.floor().min(u32::MAX as f64);
-    (k as usize, (position - k).min(1.0))
+    let k = (position + ON_A_SAMPLE).floor().min(u32::MAX as f64);
+    (k as usize, (position - k).clamp(0.0, 1.0))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The mathematics of small disturbances about steady flight: numbers in, numbers out.
+//! The mathematics of small disturbances about steady flight, and of large ones: numbers in, numbers out.
 //!
 //! # Conventions
 //!
@@ -17,11 +17,13 @@
 //! | *δt* | throttle: more thrust, as a fraction of the weight where a source says nothing of its engine |
 //! | *δr* | rudder \[rad\], trailing edge left positive; it turns the nose left, so N_δr < 0 |
 //! | *δa* | aileron \[rad\], in the sense of the source: see the sign of L_δa |
+//! | *ψ* | heading \[rad\], nose right positive |
 //! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
 //!
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
 //! cannot show.
 
+pub mod aerodynamics;
 pub mod analysis;
 pub mod approximations;
 pub mod atmosphere;
@@ -31,11 +33,14 @@ pub mod condition;
 pub mod derivatives;
 pub mod edits;
 pub mod eigen;
+pub mod experiment;
 pub mod figures;
+pub mod flight_path;
 pub mod frequency_response;
 pub mod gusts;
 pub mod handling_qualities;
 pub mod inputs;
+pub mod integrator;
 pub mod inverse;
 pub mod knobs;
 mod least_change;
@@ -52,12 +57,15 @@ pub mod path;
 pub mod plane;
 pub mod real;
 pub mod response;
+pub mod rigid_body;
 mod schur;
 pub mod second_order;
 pub mod sensitivity;
+pub mod six_dof;
 pub mod states;
 pub mod static_stability;
 pub mod study;
 pub mod turbulence;
 
-pub use analysis::{Analysis, AnalysisError, Channel, Experiment, Start, analyse};
+pub use analysis::{Analysis, AnalysisError, analyse};
+pub use experiment::{Channel, Experiment, Start};

@@ -1,8 +1,11 @@
 //! What can be watched of a motion: states, flow angles, path, attitude of the path and load factors, all linear in the
 //! disturbance.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Vector2, Vector4};
 
+use super::flight_path::{FlightPath, Sample};
 use super::plane::{Plane, PlaneModel};
 use super::response::{Forced, Response};
 use super::states::{Lateral, Longitudinal};
@@ -148,15 +151,19 @@ impl Output {
                 row.states = Vector4::new(w0, -u0, 0.0, v * v) / (v * v);
             }
             Self::NormalLoad => {
-                // f_z = ẇ − U₀ q + g sin θ₀ θ,   n_z = −f_z/g
-                row.add_rate(forced, W.index());
-                row.states[Q.index()] -= u0;
-                row.states[Theta.index()] += trim.gravity * trim.theta0().sin();
-                row.scale(-1.0 / trim.gravity);
+                // Across the trimmed flight path: n_z = (f_x sin α₀ − f_z cos α₀)/g with
+                // f_x = u̇ + W₀ q + g cos θ₀ θ,   f_z = ẇ − U₀ q + g sin θ₀ θ
+                let (sin, cos) = trim.alpha0.sin_cos();
+                row.add_rate(forced, U.index(), sin);
+                row.add_rate(forced, W.index(), -cos);
+                row.states[Q.index()] += w0 * sin + u0 * cos;
+                let (sin_theta, cos_theta) = trim.theta0().sin_cos();
+                row.states[Theta.index()] += trim.gravity * (cos_theta * sin - sin_theta * cos);
+                row.scale(1.0 / trim.gravity);
             }
             Self::SideLoad => {
                 // f_y = v̇ + U₀ r − W₀ p − g cos θ₀ φ,   n_y = f_y/g
-                row.add_rate(forced, V.index());
+                row.add_rate(forced, V.index(), 1.0);
                 row.states[R.index()] += u0;
                 row.states[P.index()] -= w0;
                 row.states[Phi.index()] -= trim.gravity * trim.theta0().cos();
@@ -167,13 +174,78 @@ impl Output {
     }
 }
 
+impl Output {
+    /// The same of a nonlinear flight at its samples, as a change from the steady flight of `model`.
+    pub fn of_flight(self, model: &PlaneModel, flight: &FlightPath) -> Vec<f64> {
+        let samples = flight.samples.iter().enumerate();
+        let mut values: Vec<f64> =
+            samples.map(|(k, sample)| self.of_sample(model, sample, k as f64 * flight.dt)).collect();
+        if matches!(self, Self::Heading | Self::BankAngle) {
+            // Round and round: the same angle, on the turn nearest to the last.
+            for k in 1..values.len() {
+                values[k] += TAU * ((values[k - 1] - values[k]) / TAU).round();
+            }
+        }
+        values
+    }
+
+    /// The same at a time \[s\], straight between the samples.
+    pub fn of_flight_at(self, model: &PlaneModel, flight: &FlightPath, t: f64) -> f64 {
+        let last = flight.samples.len().saturating_sub(1);
+        let position = if flight.dt > 0.0 { (t / flight.dt).clamp(0.0, last as f64) } else { 0.0 };
+        let k = position as usize;
+        let at = |k: usize| {
+            flight.samples.get(k).map_or(0.0, |sample| self.of_sample(model, sample, k as f64 * flight.dt))
+        };
+        let (before, after) = (at(k), at((k + 1).min(last)));
+        let mut change = after - before;
+        if matches!(self, Self::Heading | Self::BankAngle) {
+            // The shorter way round.
+            change -= TAU * (change / TAU).round();
+        }
+        before + position.fract() * change
+    }
+
+    /// At one sample, time t \[s\], as a change from the steady flight of `model`.
+    fn of_sample(self, model: &PlaneModel, sample: &Sample, t: f64) -> f64 {
+        let trim = &model.trim;
+        let [phi, theta, psi] = sample.euler;
+        let [u, w, q, _] = sample.longitudinal.into();
+        let [v, p, r, _] = sample.lateral.into();
+        let [north, east, up] = sample.position;
+        match self {
+            Self::ForwardSpeed => u,
+            Self::DownSpeed => w,
+            Self::AngleOfAttack => sample.alpha,
+            Self::PitchRate => q,
+            Self::PitchAngle => theta - trim.theta0(),
+            Self::PathAngle => {
+                let velocity = [trim.u0() + u, v, trim.w0() + w];
+                let [ahead, across, down] = sample.attitude.to_earth(velocity);
+                (-down).atan2(ahead.hypot(across)) - trim.gamma0
+            }
+            Self::NormalLoad => sample.n_z - trim.gamma0.cos(),
+            Self::Height => up - trim.speed * trim.gamma0.sin() * t,
+            Self::Distance => north - trim.speed * trim.gamma0.cos() * t,
+            Self::SideSpeed => v,
+            Self::Sideslip => sample.beta,
+            Self::RollRate => p,
+            Self::YawRate => r,
+            Self::BankAngle => phi,
+            Self::SideLoad => sample.n_y,
+            Self::Heading => psi,
+            Self::Offset => east,
+        }
+    }
+}
+
 impl OutputRow {
-    /// The rate of a state, from its equation.
-    fn add_rate(&mut self, forced: &Forced, state: usize) {
-        self.states += forced.a.row(state).transpose();
+    /// The rate of a state, from its equation, times a factor.
+    fn add_rate(&mut self, forced: &Forced, state: usize, factor: f64) {
+        self.states += forced.a.row(state).transpose() * factor;
         for (input, forcing) in self.inputs.iter_mut().zip(&forced.forcings) {
-            input.0 += forcing.column[state];
-            input.1 += forcing.rate_column[state];
+            input.0 += forcing.column[state] * factor;
+            input.1 += forcing.rate_column[state] * factor;
         }
     }
 

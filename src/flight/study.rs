@@ -10,6 +10,7 @@ use super::derivatives::{LateralDerivatives, LongitudinalDerivatives, lateral_mo
 use super::knobs::{KnobError, Knobs};
 use super::plane::{Plane, PlaneModel, Trim};
 use super::real::{Dual64, Real, at_rest};
+use super::rigid_body::Inertia;
 
 /// Everything editable of an aircraft, starting where its source starts.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +45,9 @@ pub struct CoefficientStudy<T = f64> {
 pub struct DerivativeStudy<T = f64> {
     /// The steady flight; α₀ is not zero in body axes.
     pub trim: Trim<T>,
+    /// Moments of inertia in the axes of the derivatives, where the source has them. The linear models need only the ratios
+    /// in [`LateralDerivatives`]; the gyroscopic moments of nonlinear flight need all four.
+    pub inertia: Option<Inertia<T>>,
     /// Longitudinal derivatives.
     pub longitudinal: Option<LongitudinalDerivatives<T>>,
     /// Lateral derivatives, unprimed.
@@ -177,7 +181,8 @@ impl<T: Real> CoefficientStudy<T> {
             .map(|c| LateralDerivatives::from_coefficients(&c, &airframe, &inertia, &flight));
         let FlightCondition { speed, gamma0, .. } = self.condition;
         let trim = Trim { speed, alpha0: 0.0, gamma0, gravity: self.reference.gravity };
-        let derivatives = DerivativeStudy { trim, longitudinal: Some(longitudinal), lateral };
+        let inertia = Some(Inertia { ix: inertia.ix, iy: airframe.iy, iz: inertia.iz, ixz: inertia.ixz });
+        let derivatives = DerivativeStudy { trim, inertia, longitudinal: Some(longitudinal), lateral };
         Ok(Derived { flight, airframe, coefficients, derivatives })
     }
 }
@@ -188,6 +193,7 @@ impl DerivativeStudy {
         let Trim { speed, alpha0, gamma0, gravity } = self.trim;
         DerivativeStudy {
             trim: Trim { speed: speed.into(), alpha0, gamma0: gamma0.into(), gravity },
+            inertia: self.inertia.as_ref().map(at_rest),
             longitudinal: self.longitudinal.as_ref().map(at_rest),
             lateral: self.lateral.as_ref().map(at_rest),
         }

@@ -85,4 +85,24 @@ impl Dimension {
             (Self::PerLength, LengthUnit::HundredFeet) => "1/(100 ft)",
         }
     }
+
+    /// Symbol of the SI unit, in which other programs give and get values.
+    pub const fn si_symbol(self) -> &'static str {
+        match self {
+            Self::PerSecond => "1/s",
+            Self::PerSecondSquared => "1/s²",
+            Self::Speed | Self::AirSpeed => "m/s",
+            Self::Acceleration => "m/s²",
+            Self::PerLengthSecond => "1/(m·s)",
+            Self::Angle => "rad",
+            Self::AngularRate => "rad/s",
+            Self::Time => "s",
+            Self::Number | Self::Percent => "",
+            Self::PerRadian => "1/rad",
+            Self::Length => "m",
+            Self::PerLength => "1/m",
+            Self::Load => "g",
+            Self::Frequency => "rad/s",
+        }
+    }
 }

@@ -1,10 +1,13 @@
 //! The experiment that a scenario describes, in the terms of the core.
 
 use super::{Scenario, Source};
-use crate::flight::analysis::{Motion, forced};
+use crate::flight::analysis::{Motion, PlaneAnalysis};
+use crate::flight::experiment::{fly, forced};
+use crate::flight::flight_path::FlightPath;
 use crate::flight::inputs::Input;
 use crate::flight::plane::Plane;
 use crate::flight::response::{Forced, TimeGrid};
+use crate::flight::six_dof::SixDofError;
 use crate::flight::study::Study;
 use crate::flight::turbulence::{Dryden, Severity};
 use crate::flight::{Channel, Experiment, Start};
@@ -60,6 +63,11 @@ impl Scenario {
             }
             Plane::Lateral => vec![(Channel::AirAcross, component(1))],
         }
+    }
+
+    /// The nonlinear flight through the same, or why there is none. `analysed` is what follows for the plane on screen.
+    pub fn fly(&self, analysed: &PlaneAnalysis) -> Result<FlightPath, SixDofError> {
+        fly(&self.edited, &analysed.model, &analysed.modes, &self.experiment())
     }
 
     /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of.

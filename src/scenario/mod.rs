@@ -6,6 +6,7 @@ mod experiment;
 mod outlook;
 pub mod parameters;
 mod placement;
+mod pose;
 mod quantity;
 
 use std::sync::Arc;
@@ -21,6 +22,7 @@ pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
 pub use placement::{Obstacle, Placed, PlacementError, by_strength};
+pub use pose::{Flown, MomentArrow, Pose};
 pub use quantity::Quantity;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.

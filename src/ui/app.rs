@@ -5,9 +5,9 @@ use std::sync::Arc;
 use egui::util::undoer::Undoer;
 use egui::{CentralPanel, Context, Frame, Key, Margin, Modifiers, Panel, RichText, ScrollArea, Ui};
 
-use super::derivatives::{Outlook, Rows, derivatives_ui};
+use super::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
 use super::memo::{Followed, Memo};
-use super::mode_cards::{banner_ui, card_ui, units_warning, verdicts_ui};
+use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::poles::{Hand, PoleMap, Seen};
 use super::responses::{Responses, Studied};
 use super::theme::{self, Palette};
@@ -17,7 +17,7 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::{Page, Parameter, Scenario, parameters};
+use crate::scenario::{Choice, Disturbance, Page, Parameter, Scenario, Source, parameters};
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
@@ -67,11 +67,16 @@ struct View {
     poles: PoleMap,
     responses: Responses,
     page: Page,
+    /// What the sliders are narrowed down to.
+    search: String,
     /// Key of the slider that the help card speaks of.
     explained: &'static str,
     /// Key of the slider that the person is at, whose path is drawn.
     touched: Option<&'static str>,
     phone_pane: PhonePane,
+    details: Details,
+    /// What disturbed each plane before a mode was flown alone.
+    before_flight: [Option<Choice>; 2],
 }
 
 /// The page.
@@ -110,9 +115,12 @@ impl App {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
                 page: Page::Coefficients,
+                search: String::new(),
                 explained: "cm_alpha",
                 touched: None,
                 phone_pane: PhonePane::default(),
+                details: Details::default(),
+                before_flight: [None; 2],
             },
         })
     }
@@ -287,7 +295,10 @@ impl App {
             sensitivities: followed.map_or(&[], |followed| &followed.sensitivities),
             modes: self.memo.plane().map_or(&[], |plane| &plane.modes),
         };
-        self.view.touched = derivatives_ui(ui, &mut self.scenario, &mut self.view.page, rows, outlook);
+        self.view.touched = {
+            let View { page, search, .. } = &mut self.view;
+            derivatives_ui(ui, &mut self.scenario, Chosen { page, search }, rows, outlook)
+        };
         self.view.explained = self.view.touched.unwrap_or(self.view.explained);
         let (page, scenario) = (self.view.page, &self.scenario);
         if !Parameter::find(self.view.explained).is_some_and(|p| p.is_shown(scenario, page)) {
@@ -354,6 +365,9 @@ impl App {
         memo.refresh(scenario, view.page);
         view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
         memo.refresh(scenario, view.page);
+        if view.responses.shows_flight() {
+            memo.refresh_flight();
+        }
         match studied(scenario, memo) {
             Some(now) => {
                 let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
@@ -393,13 +407,39 @@ impl App {
     /// A card for each mode, in the columns that `column` tells.
     fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
         self.memo.refresh(&self.scenario, self.view.page);
-        let Some(plane) = self.memo.plane() else { return };
+        let Some(analysed) = self.memo.plane() else { return };
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
-        for (i, mode) in plane.modes.iter().enumerate() {
+        let choice = *self.scenario.disturbance.choice(self.scenario.plane);
+        let last = analysed.modes.len().saturating_sub(1);
+        let mut asked = None;
+        for (i, mode) in analysed.modes.iter().enumerate() {
             let before =
                 ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
-            card_ui(&mut columns[column(i)], plane, mode, before);
+            let flown = choice.source == Source::OneMode && choice.mode.min(last) == i;
+            let card = Card { plane: analysed, mode, before, flown };
+            if card_ui(&mut columns[column(i)], card, &mut self.view.details) {
+                asked = Some((i, flown));
+            }
         }
+        if let Some((index, flown)) = asked {
+            self.fly(index, flown);
+        }
+    }
+
+    /// Flies a mode alone, or goes back to what was before.
+    fn fly(&mut self, index: usize, flown: bool) {
+        let plane = self.scenario.plane;
+        let choice = self.scenario.disturbance.choice_mut(plane);
+        let before = &mut self.view.before_flight[plane as usize];
+        if flown {
+            let standard = *Disturbance::default().choice(plane);
+            *choice = before.take().unwrap_or(standard);
+            return;
+        }
+        if choice.source != Source::OneMode {
+            *before = Some(*choice);
+        }
+        *choice = Choice { source: Source::OneMode, mode: index, ..*choice };
     }
 
     fn apply(&mut self, action: Action) {
@@ -439,7 +479,7 @@ fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> 
 }
 
 fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
-    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes })
+    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes, flight: memo.flight() })
 }
 
 /// Why there is nothing to draw.

@@ -1,6 +1,8 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
-use egui::{Align, Button, Id, Layout, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2};
+use egui::{
+    Align, Button, Event, Id, Key, Layout, Rect, RichText, ScrollArea, Sense, TextEdit, Ui, UiBuilder, Vec2,
+};
 
 use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
@@ -16,6 +18,7 @@ use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
 const SYMBOL_WIDTH: f32 = 58.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
+const COMPACT_FIELD: f32 = 44.0;
 const BAR_WIDTH: f32 = 5.5;
 /// Room for eight lines; a longer card scrolls.
 const HELP_HEIGHT: f32 = 168.0;
@@ -38,13 +41,25 @@ pub struct Outlook<'a> {
     pub modes: &'a [Mode],
 }
 
+/// Which sliders are on screen.
+#[derive(Debug)]
+pub struct Chosen<'a> {
+    /// The page.
+    pub page: &'a mut Page,
+    /// Only those whose symbol or name has this in it.
+    pub search: &'a mut String,
+}
+
+/// The key that goes to the search field.
+pub const SEARCH_KEY: Key = Key::Slash;
+
 /// Draws the pages and the groups of the one on screen; edits `scenario` in place.
 ///
 /// Gives the key of the row that the person is at, with pointer or keyboard.
 pub fn derivatives_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
-    page: &mut Page,
+    Chosen { page, search }: Chosen<'_>,
     rows: Rows,
     outlook: Outlook<'_>,
 ) -> Option<&'static str> {
@@ -61,28 +76,86 @@ pub fn derivatives_ui(
             }
         });
     });
+    search_ui(ui, search);
+    let wanted = search.trim().to_lowercase();
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
     let mut touched = None;
     let area = ScrollArea::vertical().id_salt(("derivatives", page.text(), scenario.plane as usize));
+    let mut found = false;
     area.max_height(height).auto_shrink([false, rows == Rows::Dense]).show(ui, |ui| {
         for group in Group::DERIVATIVES {
-            let shown = |p: &&Parameter| p.group == group && p.is_shown(scenario, *page);
+            let shown =
+                |p: &&Parameter| p.group == group && p.is_shown(scenario, *page) && is_wanted(p, &wanted);
             let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
             if group_rows.is_empty() {
                 continue;
             }
+            found = true;
             ui.add_space(3.0);
-            let title = RichText::new(group.text()).font(theme::semibold(11.5));
-            theme::heading(ui, title.color(Palette::of(ui).weak), 3);
+            group_ui(ui, scenario, group, &group_rows);
             for parameter in group_rows {
                 if row_ui(ui, scenario, parameter, rows, outlook) {
                     touched = Some(parameter.key);
                 }
             }
         }
+        if !found {
+            let text = format!("No slider of this page has “{}” in its symbol or name.", search.trim());
+            ui.label(RichText::new(text).font(theme::small()));
+        }
     });
     touched
+}
+
+/// A field that narrows the list.
+fn search_ui(ui: &mut Ui, search: &mut String) {
+    let palette = Palette::of(ui);
+    ui.horizontal(|ui| {
+        let hint = RichText::new("Find a derivative (/)").font(theme::small()).color(palette.weak);
+        let width = ui.available_width() - if search.is_empty() { 0.0 } else { 26.0 };
+        let field = TextEdit::singleline(search).hint_text(hint).desired_width(width).font(theme::small());
+        let response = ui.add(field).accessible_name("Find a derivative");
+        let pressed = ui.input(|input| input.key_pressed(SEARCH_KEY) && input.modifiers.is_none());
+        if pressed && !ui.egui_wants_keyboard_input() {
+            response.request_focus();
+            // The key itself isn't meant for the field.
+            ui.input_mut(|input| {
+                input.events.retain(|event| !matches!(event, Event::Text(text) if text == "/"))
+            });
+        }
+        if !search.is_empty()
+            && ui.add(Button::new("✕").frame(false)).accessible_name("Show all sliders").clicked()
+        {
+            search.clear();
+        }
+    });
+}
+
+/// Whether the symbol as plain text, with or without its underscore, or the name has the wanted letters in it.
+fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
+    let symbol = Symbol::parse(parameter.symbol).plain().to_lowercase();
+    let in_symbol = symbol.contains(wanted) || symbol.replace('_', "").contains(wanted);
+    in_symbol || parameter.key.contains(wanted) || parameter.name.to_lowercase().contains(wanted)
+}
+
+/// The name of a group, and its reset where something in it has been edited.
+fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static Parameter]) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 16.0;
+        let title = RichText::new(group.text()).font(theme::semibold(11.5));
+        theme::heading(ui, title.color(Palette::of(ui).weak), 3);
+        let edited = rows.iter().any(|parameter| parameter.is_edited(scenario));
+        if edited {
+            let reset = ui.add(Button::new(RichText::new("↺").font(theme::small())).frame(false));
+            let reset = reset.accessible_name(format!("Reset the group {}", group.text()));
+            if reset.on_hover_text("All of this group back to the reference").clicked() {
+                for parameter in rows {
+                    parameter.reset(scenario);
+                }
+            }
+        }
+    });
 }
 
 /// One row. Says whether the person is at it, with pointer or keyboard.
@@ -178,15 +251,21 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let length = scenario.aircraft.length_unit;
     let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
     let shown = trimmed(parameter.get(scenario) / in_si, 4);
+    let symbol = Symbol::parse(parameter.symbol);
+    // Its width beforehand, so that a row that wraps keeps it together.
+    let symbol_width = ui.painter().layout_job(symbol.job(14.0, palette.text)).size().x;
+    let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
+    let width = symbol_width + COMPACT_FIELD + unit_width + 3.0 * ui.spacing().item_spacing.x + 16.0;
+    let size = Vec2::new(width, ui.spacing().interact_size.y);
     let field = ui
-        .horizontal(|ui| {
-            symbol_ui(ui, &Symbol::parse(parameter.symbol), 14.0, palette.text, None);
+        .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            symbol_ui(ui, &symbol, 14.0, palette.text, None);
             let field = number_field_ui(
                 ui,
                 Id::unique(("disturbance", parameter.key)),
                 &format!("{} in {unit}", parameter.name),
                 &shown,
-                44.0,
+                COMPACT_FIELD,
                 |text| parameter.parse(scenario, text),
             );
             ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));

@@ -1,7 +1,9 @@
 //! The only cache: what follows from the scenario on screen, computed again only when the scenario has changed.
 
 use crate::flight::analysis::{Motion, PlaneAnalysis};
+use crate::flight::flight_path::FlightPath;
 use crate::flight::locus::Locus;
+use crate::flight::six_dof::SixDofError;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::{Disturbance, Page, Parameter, RowSensitivity, Scenario};
 
@@ -10,6 +12,7 @@ use crate::scenario::{Disturbance, Page, Parameter, RowSensitivity, Scenario};
 pub struct Memo {
     of: Option<(Scenario, Page, Followed)>,
     locus: Option<(Scenario, &'static str, Locus)>,
+    flight: Option<(Scenario, Result<FlightPath, SixDofError>)>,
     computations: u64,
 }
 
@@ -80,6 +83,21 @@ impl Memo {
             let locus = start.locus(parameter);
             self.locus = Some((start, parameter.key, locus));
         }
+    }
+
+    /// Flies the nonlinear equations through the scenario of the last refresh, unless that is the flight that is held.
+    pub fn refresh_flight(&mut self) {
+        let Some((scenario, _, _)) = &self.of else { return };
+        if self.flight.as_ref().is_some_and(|(of, _)| of == scenario) {
+            return;
+        }
+        self.flight = self.plane().map(|plane| (scenario.clone(), scenario.fly(plane)));
+    }
+
+    /// The nonlinear flight, if it is that of the scenario of the last refresh.
+    pub fn flight(&self) -> Option<&Result<FlightPath, SixDofError>> {
+        let (scenario, _, _) = self.of.as_ref()?;
+        self.flight.as_ref().filter(|(of, _)| of == scenario).map(|(_, flight)| flight)
     }
 
     /// The path found last.

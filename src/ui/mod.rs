@@ -8,6 +8,7 @@ mod fonts;
 mod memo;
 mod mode_cards;
 mod number_field;
+mod phasors;
 mod poles;
 mod responses;
 mod slider;

@@ -1,7 +1,8 @@
 //! A card for each mode, and the two verdicts above them.
 
-use egui::{Align, Color32, Frame, Layout, Margin, Rect, RichText, Stroke, Ui, Vec2};
+use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, RichText, Stroke, Ui, Vec2};
 
+use super::phasors::phasors_ui;
 use super::poles::eigenvalue;
 use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
@@ -93,11 +94,34 @@ pub fn units_warning(analysis: &Analysis) -> Option<String> {
     ))
 }
 
-/// One mode's card; `before` is the same mode of the pinned state.
-pub fn card_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, before: Option<&Mode>) {
+/// Which details the cards show, of all modes alike, so that modes can be compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Details {
+    shape: bool,
+    levels: bool,
+    approximations: bool,
+}
+
+/// One mode with what belongs on its card.
+#[derive(Clone, Copy, Debug)]
+pub struct Card<'a> {
+    /// The plane that it is a mode of.
+    pub plane: &'a PlaneAnalysis,
+    /// The mode.
+    pub mode: &'a Mode,
+    /// The same mode of the pinned state.
+    pub before: Option<&'a Mode>,
+    /// Whether it is being flown alone.
+    pub flown: bool,
+}
+
+/// Draws a mode's card. Says whether the person asked to fly it alone, or to stop.
+pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
+    let Card { plane, mode, before, .. } = card;
     let palette = Palette::of(ui);
     let color = palette.mode(mode.naming.name);
-    let card = Frame::new()
+    let mut fly = false;
+    let frame = Frame::new()
         .fill(palette.pane)
         .stroke(Stroke::new(1.0, palette.hairline))
         .corner_radius(8)
@@ -108,24 +132,86 @@ pub fn card_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, before: Option<&
             ui.horizontal(|ui| {
                 let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
                 theme::heading(ui, name.color(color), 3);
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode, details));
             });
             numbers_ui(ui, mode);
             participation_ui(ui, plane.model.plane, mode, color);
             ui.label(RichText::new(&mode.naming.reason).font(theme::small()).color(palette.weak));
-            levels_ui(ui, plane, mode);
-            approximations_ui(ui, plane, mode);
             if let Some(before) = before {
                 ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
             }
+            fly = buttons_ui(ui, card, details);
+            if details.shape {
+                phasors_ui(ui, &plane.model, mode, color);
+            }
+            if details.levels {
+                levels_ui(ui, plane, mode);
+            }
+            if details.approximations {
+                approximations_ui(ui, plane, mode);
+            }
         });
-    let rect = card.response.rect;
+    let rect = frame.response.rect;
     let bar = Rect::from_min_size(rect.min, Vec2::new(4.0, rect.height()));
     ui.painter().rect_filled(bar, egui::CornerRadius { nw: 8, sw: 8, ne: 0, se: 0 }, color);
+    fly
+}
+
+/// What can be done with a mode and seen of it. Says whether it is to be flown alone, or no longer.
+fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
+    let Card { plane, mode, flown, .. } = card;
+    let name = mode.naming.name.text();
+    let mut fly = false;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().button_padding = Vec2::new(7.0, 3.0);
+        let text = |text: &str| RichText::new(text).font(theme::small());
+        let button = ui.add(
+            Button::selectable(flown, text(if flown { "Flying alone" } else { "Fly this mode" }))
+                .frame_when_inactive(true),
+        );
+        fly = button
+            .accessible_name(if flown {
+                format!("Stop flying the {name} alone")
+            } else {
+                format!("Fly the {name} alone")
+            })
+            .on_hover_text("Let the aircraft go in the shape of this mode: then nothing else moves")
+            .clicked();
+        let toggle = |ui: &mut Ui, on: &mut bool, words: &str, what: &str, hover: &str| {
+            let button = Button::selectable(*on, text(words)).frame_when_inactive(true);
+            let response = ui.add(button).accessible_name(format!("{what} of the {name}"));
+            if response.on_hover_text(hover).clicked() {
+                *on = !*on;
+            }
+        };
+        toggle(
+            ui,
+            &mut details.shape,
+            "Shape",
+            "Shape",
+            "How large each quantity is in this mode, and how far ahead or behind it swings",
+        );
+        if let Some(best) = best_approximation(plane, mode) {
+            let hover = "What the textbook formulas give, and how far off they are";
+            toggle(ui, &mut details.approximations, &best, "Approximations", hover);
+        }
+    });
+    fly
+}
+
+/// The error of the first textbook approximation, for the button: "≈ −0.1 %".
+fn best_approximation(plane: &PlaneAnalysis, mode: &Mode) -> Option<String> {
+    let mut of_mode = plane.approximations.iter().filter(|a| a.name.concerns() == mode.naming.name);
+    let first = of_mode.next()?;
+    Some(first.error().map_or_else(|| "≈".to_owned(), |error| format!("≈ {}", signed_percent(error))))
+}
+
+fn signed_percent(error: f64) -> String {
+    format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2))
 }
 
 /// Whether it dies away, and the level of handling qualities where there is one.
-fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
+fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
     let text = match mode.stability {
         DynamicStability::Stable => "stable",
         DynamicStability::Neutral => "neutral",
@@ -134,15 +220,19 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     chip_ui(ui, text, Palette::of(ui).verdict(mode.stability));
     let worst = judged(plane, mode).map(|verdict| verdict.level).max();
     if let Some(level) = worst {
-        chip_ui(
-            ui,
-            level.text(),
-            Palette::of(ui).verdict(match level {
-                Level::One => DynamicStability::Stable,
-                Level::Two => DynamicStability::Neutral,
-                Level::Three | Level::Beyond => DynamicStability::Unstable,
-            }),
-        );
+        let (color, ground) = Palette::of(ui).verdict(match level {
+            Level::One => DynamicStability::Stable,
+            Level::Two => DynamicStability::Neutral,
+            Level::Three | Level::Beyond => DynamicStability::Unstable,
+        });
+        let mark = if details.levels { "▾" } else { "▸" };
+        let text = RichText::new(format!("{} {mark}", level.text())).font(theme::semibold(11.0)).color(color);
+        ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
+        let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
+        let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
+        if chip.on_hover_text("Which paragraphs of MIL-F-8785C set the level").clicked() {
+            details.levels = !details.levels;
+        }
     }
 }
 

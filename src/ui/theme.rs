@@ -43,6 +43,8 @@ pub struct Palette {
     pub accent: Color32,
     /// The pinned state to compare with.
     pub ghost: Color32,
+    /// The nonlinear flight beside the linear motion.
+    pub nonlinear: Color32,
     /// Left half of the pole map.
     pub stable_half: Color32,
     /// Right half of the pole map.
@@ -65,6 +67,10 @@ pub struct Palette {
     phugoid_slow: Color32,
     third_mode: Color32,
     divergence: Color32,
+    dutch_roll: Color32,
+    dutch_roll_slow: Color32,
+    roll: Color32,
+    spiral: Color32,
 }
 
 const LIGHT: Palette = Palette {
@@ -79,6 +85,7 @@ const LIGHT: Palette = Palette {
     on_strong: Color32::WHITE,
     accent: Color32::from_rgb(0x7a, 0x9b, 0xb8),
     ghost: Color32::from_rgb(0x8a, 0x97, 0xa5),
+    nonlinear: Color32::from_rgb(0xa3, 0x2a, 0x12),
     stable_half: Color32::from_rgb(0xed, 0xf7, 0xf3),
     unstable_half: Color32::from_rgb(0xfd, 0xf1, 0xec),
     good: Color32::from_rgb(0x0a, 0x5f, 0x45),
@@ -93,6 +100,10 @@ const LIGHT: Palette = Palette {
     phugoid_slow: Color32::from_rgb(0xb8, 0x7a, 0x00),
     third_mode: Color32::from_rgb(0x00, 0x8a, 0x65),
     divergence: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    dutch_roll: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    dutch_roll_slow: Color32::from_rgb(0xcc, 0x79, 0xa7),
+    roll: Color32::from_rgb(0x00, 0x8a, 0x65),
+    spiral: Color32::from_rgb(0xb8, 0x7a, 0x00),
 };
 
 const DARK: Palette = Palette {
@@ -107,6 +118,7 @@ const DARK: Palette = Palette {
     on_strong: Color32::from_rgb(0x16, 0x1c, 0x23),
     accent: Color32::from_rgb(0x4f, 0x7d, 0xa3),
     ghost: Color32::from_rgb(0x7d, 0x8b, 0x9a),
+    nonlinear: Color32::from_rgb(0xff, 0xa3, 0x8a),
     stable_half: Color32::from_rgb(0x14, 0x24, 0x22),
     unstable_half: Color32::from_rgb(0x2b, 0x1d, 0x1b),
     good: Color32::from_rgb(0x7d, 0xd9, 0xb5),
@@ -121,27 +133,139 @@ const DARK: Palette = Palette {
     phugoid_slow: Color32::from_rgb(0xe6, 0xb0, 0x2e),
     third_mode: Color32::from_rgb(0x2f, 0xc9, 0x9a),
     divergence: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+    dutch_roll: Color32::from_rgb(0xe3, 0x8f, 0xbe),
+    dutch_roll_slow: Color32::from_rgb(0xf0, 0xb8, 0xd6),
+    roll: Color32::from_rgb(0x2f, 0xc9, 0x9a),
+    spiral: Color32::from_rgb(0xe6, 0xb0, 0x2e),
 };
 
-impl Palette {
-    /// The palette of the theme in force.
-    pub fn of(ui: &Ui) -> &'static Self {
-        if ui.visuals().dark_mode { &DARK } else { &LIGHT }
+/// For a beamer that washes out all that is pale: black on white, every line and ground a step stronger.
+const PROJECTOR: Palette = Palette {
+    background: Color32::WHITE,
+    pane: Color32::WHITE,
+    field: Color32::from_rgb(0xee, 0xf1, 0xf4),
+    hairline: Color32::from_rgb(0xa8, 0xb4, 0xc0),
+    grid: Color32::from_rgb(0x86, 0x97, 0x9d),
+    text: Color32::BLACK,
+    weak: Color32::from_rgb(0x33, 0x3f, 0x4b),
+    strong: Color32::BLACK,
+    on_strong: Color32::WHITE,
+    accent: Color32::from_rgb(0x3d, 0x6b, 0x94),
+    ghost: Color32::from_rgb(0x55, 0x63, 0x72),
+    nonlinear: Color32::from_rgb(0x8c, 0x10, 0x00),
+    stable_half: Color32::from_rgb(0xdc, 0xf0, 0xe8),
+    unstable_half: Color32::from_rgb(0xfb, 0xdf, 0xd3),
+    good: Color32::from_rgb(0x00, 0x4d, 0x34),
+    good_ground: Color32::from_rgb(0xcd, 0xec, 0xdf),
+    bad: Color32::from_rgb(0x8c, 0x10, 0x00),
+    bad_ground: Color32::from_rgb(0xfb, 0xd5, 0xc8),
+    warning: Color32::from_rgb(0x5c, 0x38, 0x00),
+    warning_ground: Color32::from_rgb(0xff, 0xe6, 0xb0),
+    short_period: Color32::from_rgb(0x00, 0x5a, 0x92),
+    short_period_slow: Color32::from_rgb(0x00, 0x72, 0xb2),
+    phugoid: Color32::from_rgb(0xb8, 0x48, 0x00),
+    phugoid_slow: Color32::from_rgb(0x94, 0x60, 0x00),
+    third_mode: Color32::from_rgb(0x00, 0x6e, 0x50),
+    divergence: Color32::from_rgb(0x93, 0x2f, 0x69),
+    dutch_roll: Color32::from_rgb(0x93, 0x2f, 0x69),
+    dutch_roll_slow: Color32::from_rgb(0xb0, 0x4a, 0x84),
+    roll: Color32::from_rgb(0x00, 0x6e, 0x50),
+    spiral: Color32::from_rgb(0x94, 0x60, 0x00),
+};
+
+/// How the page looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// Dark on light.
+    Light,
+    /// Light on dark.
+    Dark,
+    /// Strong colours on white.
+    Projector,
+}
+
+impl Look {
+    /// The look in force. Until one is chosen it is that of the system.
+    pub fn of(ctx: &Context) -> Self {
+        let dark = ctx.theme() == Theme::Dark;
+        let projector = ctx.data(|data| data.get_temp::<bool>(projector_id())).unwrap_or(false);
+        match (dark, projector) {
+            (true, _) => Self::Dark,
+            (false, true) => Self::Projector,
+            (false, false) => Self::Light,
+        }
     }
 
-    /// The one colour of a mode, wherever it is shown.
+    /// Puts a look in force.
+    pub fn set(self, ctx: &Context) {
+        ctx.data_mut(|data| data.insert_temp(projector_id(), self == Self::Projector));
+        ctx.style_mut_of(Theme::Light, |style| {
+            let palette = if self == Self::Projector { &PROJECTOR } else { &LIGHT };
+            paint_style(&mut style.visuals, palette);
+        });
+        ctx.set_theme(if self == Self::Dark { Theme::Dark } else { Theme::Light });
+    }
+
+    /// The one that comes after it.
+    pub const fn next(self) -> Self {
+        match self {
+            Self::Light => Self::Dark,
+            Self::Dark => Self::Projector,
+            Self::Projector => Self::Light,
+        }
+    }
+
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Light => "Light theme",
+            Self::Dark => "Dark theme",
+            Self::Projector => "Projector theme",
+        }
+    }
+
+    /// Its sign.
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Light => "☀",
+            Self::Dark => "☾",
+            Self::Projector => "◐",
+        }
+    }
+
+    const fn palette(self) -> &'static Palette {
+        match self {
+            Self::Light => &LIGHT,
+            Self::Dark => &DARK,
+            Self::Projector => &PROJECTOR,
+        }
+    }
+}
+
+fn projector_id() -> egui::Id {
+    egui::Id::unique("projector look")
+}
+
+impl Palette {
+    /// The palette of the look in force.
+    pub fn of(ui: &Ui) -> &'static Self {
+        Look::of(ui.ctx()).palette()
+    }
+
+    /// The one colour of a mode, wherever it is shown. Seven colours that all eyes can tell apart don't go round fourteen names: a
+    /// few names share one, of which no two are ever on screen together.
     pub const fn mode(&self, name: ModeName) -> Color32 {
         match name {
-            // The lateral modes borrow the colours of the longitudinal ones until they are drawn.
-            ModeName::ShortPeriod
-            | ModeName::ShortPeriodFastRoot
-            | ModeName::DutchRoll
-            | ModeName::DutchRollMoreStableRoot => self.short_period,
-            ModeName::ShortPeriodSlowRoot | ModeName::DutchRollLessStableRoot => self.short_period_slow,
-            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::Spiral => self.phugoid,
-            ModeName::PhugoidSlowRoot | ModeName::RollSubsidence => self.phugoid_slow,
-            ModeName::ThirdOscillatory | ModeName::CoupledRollSpiral => self.third_mode,
+            ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
+            ModeName::ShortPeriodSlowRoot => self.short_period_slow,
+            ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::CoupledRollSpiral => self.phugoid,
+            ModeName::PhugoidSlowRoot => self.phugoid_slow,
+            ModeName::ThirdOscillatory => self.third_mode,
             ModeName::Divergence => self.divergence,
+            ModeName::DutchRoll | ModeName::DutchRollMoreStableRoot => self.dutch_roll,
+            ModeName::DutchRollLessStableRoot => self.dutch_roll_slow,
+            ModeName::RollSubsidence => self.roll,
+            ModeName::Spiral => self.spiral,
         }
     }
 

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use egui::{Align, Button, ComboBox, Layout, RichText, Theme, Ui};
+use egui::{Align, Button, ComboBox, Layout, RichText, Ui};
 
 use super::app::{Action, Ghost};
-use super::theme::{self, Palette};
+use super::theme::{self, Look, Palette};
 use crate::content::{Aircraft, Status};
 use crate::flight::plane::Plane;
 use crate::scenario::Scenario;
@@ -115,11 +115,10 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 /// The tools, from the right edge inwards where there is room.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
-    let dark = ui.visuals().dark_mode;
-    let theme = ui.add(Button::new(if dark { "☀" } else { "☾" }).frame(false));
-    let name = if dark { "Light theme" } else { "Dark theme" };
-    if theme.accessible_name(name).on_hover_text(name).clicked() {
-        ui.set_theme(if dark { Theme::Light } else { Theme::Dark });
+    let look = Look::of(ui.ctx()).next();
+    let button = ui.add(Button::new(look.sign()).frame(false));
+    if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {
+        look.set(ui.ctx());
     }
     let mut tool = |text: &str, name: &str, enabled: bool, asked: Action| {
         let button = ui.add_enabled(enabled, Button::new(text).frame(false));

@@ -168,12 +168,21 @@ test("each disturbance has its own response, and a gust is not an elevator pulse
   const { page, ready, state } = await open(t);
   await ready();
   const ends = [];
-  for (const choice of ["Elevator step", "Elevator pulse", "Vertical gust"]) {
-    await choose(page, "Disturbance", choice);
+  for (const [source, shape] of [
+    ["Elevator", "step"],
+    ["Elevator", "pulse"],
+    ["Elevator", "3-2-1-1"],
+    ["Vertical gust", "1 − cosine"],
+    ["Turbulence", undefined],
+    ["One mode", undefined],
+  ]) {
+    await choose(page, "Disturbance", source);
+    if (shape) await choose(page, "Shape of the disturbance", shape);
+    const choice = shape ? `${source} ${shape}` : source;
     const now = await until(state, (now) => now.disturbance === choice, choice);
     ends.push(JSON.stringify(now.analysis.response.last));
   }
-  assert.equal(new Set(ends).size, 3);
+  assert.equal(new Set(ends).size, 6);
 });
 
 test("lateral motion: Dutch roll, roll subsidence and spiral, as published", async (t) => {

@@ -54,8 +54,8 @@ after(async () => {
   for (const browser of browsers.values()) await (await browser).close();
 });
 
-// Options: `viewport`, `colorScheme`, `touch`; `flags` for the browser; `fragment` of the address
-// ("#v=1&ac=navion"); `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
+// Options: `viewport`, `colorScheme`, `touch`; `flags` for the browser; `path` of another page ("example/") and `fragment`
+// of the address ("#v=1&ac=navion"); `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
 // Closes itself when the test ends.
 export async function open(t, options = {}) {
   const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false } = options;
@@ -106,7 +106,7 @@ export async function open(t, options = {}) {
     }
   });
 
-  const url = server.url + (options.fragment ?? "");
+  const url = server.url + (options.path ?? "") + (options.fragment ?? "");
   await page.goto(url, { waitUntil: options.waitUntil ?? "load" });
 
   return {

@@ -22,7 +22,7 @@ const TYPES = {
 export async function serve({ missing = /^$/, slowly = 1 } = {}) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
-    const name = pathname.slice(FOLDER.length) || "index.html";
+    const name = pathname.slice(FOLDER.length).replace(/(^|\/)$/, "$1index.html");
     try {
       if (!pathname.startsWith(FOLDER) || missing.test(name)) throw new Error("missing");
       const body = gzipSync(readFileSync(fileURLToPath(new URL(name, DIST))), { level: 1 });

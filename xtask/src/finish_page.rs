@@ -5,6 +5,9 @@
 //!
 //! Trunk gives the program's preload an `integrity` that browsers ignore, and say so on every
 //! start (crbug.com/981419); it is removed. Scripts and styles keep theirs.
+//!
+//! Beside a release page goes the core as a JavaScript module. Here, so that it is there however Trunk was
+//! called, and Trunk puts all of it in place at once.
 
 use std::path::Path;
 
@@ -13,16 +16,24 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest as _, Sha256};
 
+use crate::core_module;
+use crate::project::Project;
+
 const PLACEHOLDER: &str = "INLINE-SCRIPT-HASHES";
 
 /// Trunk's hook after a build.
-pub fn finish() -> Result<()> {
+pub fn finish(project: &Project) -> Result<()> {
     let staging = std::env::var_os("TRUNK_STAGING_DIR")
         .context("TRUNK_STAGING_DIR is not set; Trunk calls this as a hook")?;
-    let path = Path::new(&staging).join("index.html");
+    let staging = Path::new(&staging);
+    let path = staging.join("index.html");
     let page = std::fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let page = with_hashes(&without_ignored_integrity(&page))?;
-    std::fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))
+    std::fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))?;
+    if std::env::var_os("TRUNK_PROFILE").is_some_and(|profile| profile == "release") {
+        core_module::build(project, staging)?;
+    }
+    Ok(())
 }
 
 fn with_hashes(page: &str) -> Result<String> {

@@ -6,8 +6,21 @@ use crate::process;
 use crate::project::Project;
 
 /// Crates that the core must not depend on, by the start of their names.
-const NOT_IN_THE_CORE: [&str; 10] =
-    ["accesskit", "eframe", "egui", "emath", "epaint", "glow", "js-sys", "wasm-bindgen", "web-sys", "winit"];
+const NOT_IN_THE_CORE: [&str; 13] = [
+    "accesskit",
+    "clap",
+    "comfy-table",
+    "eframe",
+    "egui",
+    "emath",
+    "epaint",
+    "glow",
+    "indicatif",
+    "js-sys",
+    "wasm-bindgen",
+    "web-sys",
+    "winit",
+];
 
 /// Fails if the core depends on a user-interface crate, for any target.
 pub fn check(project: &Project) -> Result<()> {

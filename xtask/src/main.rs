@@ -2,6 +2,7 @@
 
 mod browser_tests;
 mod chromium;
+mod core_module;
 mod finish_page;
 mod layers;
 mod licences;
@@ -53,7 +54,7 @@ fn main() -> ExitCode {
         Task::Build => page::build(&project),
         Task::Test => stages::run_all(&project),
         Task::Deny => licences::check(&project),
-        Task::FinishPage => finish_page::finish(),
+        Task::FinishPage => finish_page::finish(&project),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

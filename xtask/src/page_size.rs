@@ -1,37 +1,48 @@
-//! What the page weighs on its way to a reader.
+//! What the page weighs on its way to a reader, and what the JavaScript module beside it does.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 
+use crate::core_module;
 use crate::project::Project;
 
 /// The whole page, compressed with brotli at its highest quality, in bytes.
 const BUDGET: usize = 1_200_000;
 
-/// Prints a table of the page's files and fails if they outgrow the budget.
+/// The module and its example, which the page doesn't load, likewise.
+const CORE_BUDGET: usize = 300_000;
+
+/// Prints tables of the files and fails if they outgrow their budgets.
 pub fn check(project: &Project) -> Result<()> {
     let dist = project.dist();
     let mut files = Vec::new();
     collect_files(&dist, &mut files)?;
-    ensure!(!files.is_empty(), "{} is empty", dist.display());
     files.sort();
+    let of_core = core_module::FOLDERS.map(|folder| dist.join(folder));
+    let (core, page): (Vec<_>, Vec<_>) =
+        files.into_iter().partition(|file| of_core.iter().any(|folder| file.starts_with(folder)));
+    check_budget(&dist, "page", &page, BUDGET)?;
+    check_budget(&dist, "JavaScript module", &core, CORE_BUDGET)
+}
 
+fn check_budget(dist: &Path, what: &str, files: &[PathBuf], budget: usize) -> Result<()> {
+    ensure!(!files.is_empty(), "{} holds no {what}", dist.display());
     println!("{:>10} {:>10}  file", "bytes", "brotli");
     let (mut raw_total, mut compressed_total) = (0, 0);
-    for file in &files {
+    for file in files {
         let content = std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
         let compressed = compressed_size(&content)?;
-        let name = file.strip_prefix(&dist).unwrap_or(file);
+        let name = file.strip_prefix(dist).unwrap_or(file);
         println!("{:>10} {compressed:>10}  {}", content.len(), name.display());
         raw_total += content.len();
         compressed_total += compressed;
     }
-    println!("{raw_total:>10} {compressed_total:>10}  together; the budget is {BUDGET}");
+    println!("{raw_total:>10} {compressed_total:>10}  together; the budget is {budget}");
     ensure!(
-        compressed_total <= BUDGET,
-        "the page has outgrown its budget by {} bytes",
-        compressed_total - BUDGET
+        compressed_total <= budget,
+        "the {what} has outgrown its budget by {} bytes",
+        compressed_total - budget
     );
     Ok(())
 }

@@ -52,7 +52,8 @@ fn check_format(project: &Project) -> Result<()> {
 }
 
 fn test_core(project: &Project) -> Result<()> {
-    run(cargo(project).args(["test", "--locked", "--no-default-features"]))?;
+    // With the command line, so that the core is compiled for tests once.
+    run(cargo(project).args(["test", "--locked", "--no-default-features", "--features=cli"]))?;
     run(cargo(project).args(["test", "--locked", "--package=xtask"]))
 }
 
@@ -74,7 +75,8 @@ fn lint_everything(project: &Project) -> Result<()> {
 /// Reads the code that is compiled for the browser only.
 fn lint_web(project: &Project) -> Result<()> {
     crate::tools::add_wasm_target(project)?;
-    lint(project, &["--bin=eigenwing", "--target=wasm32-unknown-unknown"])
+    let what = ["--bin=eigenwing", "--bin=eigenwing-core", "--features=javascript"];
+    lint(project, &[&what[..], &["--target=wasm32-unknown-unknown"]].concat())
 }
 
 fn lint(project: &Project, what: &[&str]) -> Result<()> {

@@ -391,19 +391,24 @@ impl Parameter {
         (0.1 * self.get(scenario).abs()).max((range.end() - range.start()) / 60.0)
     }
 
-    /// Accepts or refuses a value \[SI\] that was typed or came from outside.
-    pub fn check(&self, scenario: &Scenario, value: f64) -> Result<f64, ValueError> {
-        if !value.is_finite() {
-            return Err(ValueError::NotFinite);
-        }
+    /// What [`Self::check`] accepts \[SI\].
+    pub fn accepted(&self, scenario: &Scenario) -> RangeInclusive<f64> {
         let range = self.range(scenario);
-        let accepted = match self.extent {
+        match self.extent {
             Extent::Fixed { .. } => range,
             Extent::Relative { .. } | Extent::Gravity => {
                 let reach = TYPED_BEYOND * range.start().abs().max(range.end().abs());
                 -reach..=reach
             }
-        };
+        }
+    }
+
+    /// Accepts or refuses a value \[SI\] that was typed or came from outside.
+    pub fn check(&self, scenario: &Scenario, value: f64) -> Result<f64, ValueError> {
+        if !value.is_finite() {
+            return Err(ValueError::NotFinite);
+        }
+        let accepted = self.accepted(scenario);
         if accepted.contains(&value) {
             return Ok(value);
         }

@@ -34,7 +34,7 @@ pub fn figures_ui(ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>)
 
 /// What concerns the whole motion, a sentence each.
 fn whole(studied: Studied<'_>) -> Vec<String> {
-    let Studied { motion, modes, scenario } = studied;
+    let Studied { motion, modes, scenario, .. } = studied;
     let dt = motion.response.dt;
     let mut lines = Vec::new();
     match studied.plane() {

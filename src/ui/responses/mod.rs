@@ -48,6 +48,8 @@ impl Tab {
 #[derive(Debug, Default)]
 pub struct Responses {
     tab: Tab,
+    /// Whether the nonlinear flight is drawn beside the linear motion.
+    nonlinear: bool,
     time: time::TimePlots,
     phase: phase::PhasePlots,
     frequency: frequency::FrequencyPlots,
@@ -71,7 +73,17 @@ impl Responses {
                 Tab::Frequency => self.frequency.choosers_ui(ui, scenario.plane),
                 Tab::Figures => {}
             }
+            if matches!(self.tab, Tab::Time | Tab::Phase) {
+                ui.checkbox(&mut self.nonlinear, "Nonlinear").on_hover_text(
+                    "The six rigid-body equations, integrated, beside the linear model. Raise the factor × to see them part",
+                );
+            }
         });
+    }
+
+    /// Whether the nonlinear flight is wanted.
+    pub fn shows_flight(&self) -> bool {
+        self.nonlinear && matches!(self.tab, Tab::Time | Tab::Phase)
     }
 
     /// Draws the motion over all the room there is.
@@ -86,6 +98,10 @@ impl Responses {
                     significant(time, 3)
                 ),
             );
+        }
+        let studied = Studied { flight: studied.flight.filter(|_| self.shows_flight()), ..studied };
+        if let Some(end) = studied.end_of_flight() {
+            note_ui(ui, &end);
         }
         match self.tab {
             Tab::Time => self.time.show(ui, studied, ghost, rows),

@@ -67,6 +67,12 @@ impl PhasePlots {
                 Curve { name, points, drawn: studied.small(), color, stroke }
             };
             let mut curves = vec![path(studied, "linear", palette.text, Stroke::Full)];
+            if let (Some(x), Some(y)) =
+                (studied.flown(over, across_si, palette), studied.flown(of, upward_si, palette))
+            {
+                let points = x.points.iter().zip(&y.points).map(|(x, y)| PlotPoint::new(x.y, y.y)).collect();
+                curves.push(Curve { points, ..x });
+            }
             if let Some(ghost) = ghost {
                 curves.push(path(ghost, "pinned", palette.ghost, Stroke::Dashed));
             }

@@ -7,10 +7,12 @@ use super::plot::{Curve, Stroke};
 use crate::content::LengthUnit;
 use crate::flight::Channel;
 use crate::flight::analysis::Motion;
+use crate::flight::flight_path::FlightPath;
 use crate::flight::modal_sum::SplitError;
 use crate::flight::modes::Mode;
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
+use crate::flight::six_dof::SixDofError;
 use crate::scenario::{Dimension, Quantity, Scenario};
 use crate::ui::theme::Palette;
 
@@ -23,6 +25,8 @@ pub struct Studied<'a> {
     pub motion: &'a Motion,
     /// The modes of its model.
     pub modes: &'a [Mode],
+    /// The nonlinear flight through the same, or why there is none, where it is asked for.
+    pub flight: Option<&'a Result<FlightPath, SixDofError>>,
 }
 
 impl Studied<'_> {
@@ -48,6 +52,24 @@ impl Studied<'_> {
     pub fn curve(&self, output: Output, unit: f64, stroke: Stroke, color: Color32) -> Curve {
         let name = if stroke == Stroke::Full { "linear" } else { "pinned" };
         self.timed(name, self.motion.values(output), unit, stroke, color)
+    }
+
+    /// An output of the nonlinear flight as a curve of time, where it is asked for and there is one.
+    pub fn flown(&self, output: Output, unit: f64, palette: &Palette) -> Option<Curve> {
+        let flight = self.flight?.as_ref().ok()?;
+        let values = output.of_flight(&self.motion.model, flight).into_iter().enumerate();
+        let points: Vec<PlotPoint> =
+            values.map(|(k, value)| PlotPoint::new(k as f64 * flight.dt, value / unit)).collect();
+        let (drawn, color) = (points.len(), palette.nonlinear);
+        Some(Curve { name: "nonlinear", points, drawn, color, stroke: Stroke::Dotted })
+    }
+
+    /// Why there is no nonlinear flight, or where it ends.
+    pub fn end_of_flight(&self) -> Option<String> {
+        match self.flight? {
+            Ok(flight) => flight.stop.map(|stop| format!("Nonlinear flight ends: {stop}.")),
+            Err(error) => Some(format!("No nonlinear flight: {error}.")),
+        }
     }
 
     /// The parts of the modes of an output, each in its colour.

@@ -85,6 +85,7 @@ impl TimePlots {
                     Err(error) => unsplit = Some(error),
                 }
             }
+            curves.extend(studied.flown(output, unit, palette));
             if let Some(ghost) = ghost {
                 // The pinned state is drawn in the units of the one on screen.
                 curves.push(ghost.curve(output, unit, Stroke::Dashed, palette.ghost));

@@ -1,0 +1,126 @@
+//! What can be typed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// See how an aircraft moves when it is disturbed, without a window.
+#[derive(Parser)]
+#[command(name = "eigenwing-cli", version, about, max_term_width = 100)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// The aircraft of the list
+    List {
+        #[command(flatten)]
+        output: Output,
+    },
+    /// The parameters that can be set on an aircraft or swept, with their values in SI
+    Parameters {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Eigenvalues, named modes, verdicts, approximations and handling qualities
+    #[command(alias = "analyze")]
+    Analyse {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// The motion after a disturbance; its size and length are parameters: --set elevator=0.02 --set time=120
+    Respond {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        /// longitudinal or lateral [default: that of the disturbance]
+        #[arg(long, value_name = "NAME")]
+        plane: Option<String>,
+        /// elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release or mode
+        #[arg(long, value_name = "NAME")]
+        disturbance: Option<String>,
+        /// step, pulse, doublet, 3-2-1-1, sine or sweep; of a gust 1-cosine, step or sine
+        #[arg(long, value_name = "NAME")]
+        shape: Option<String>,
+        /// The mode that is flown alone, such as "phugoid"
+        #[arg(long, value_name = "NAME")]
+        mode: Option<String>,
+        /// Steps between the samples [default: 600]
+        #[arg(long, value_name = "N")]
+        steps: Option<usize>,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// The modes along a range of one parameter, and where stability changes
+    Sweep {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        /// Key of the parameter
+        #[arg(long, value_name = "KEY")]
+        parameter: String,
+        /// First value, SI and radians
+        #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+        from: f64,
+        /// Last value, SI and radians
+        #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+        to: f64,
+        /// Number of values, both ends among them
+        #[arg(long, value_name = "N", default_value_t = 51)]
+        points: usize,
+        #[command(flatten)]
+        output: Output,
+    },
+}
+
+/// Which aircraft, and what is set on it.
+#[derive(Args)]
+pub struct SubjectArguments {
+    /// An aircraft of the list, or an aircraft file, FILE.toml
+    #[arg(value_name = "AIRCRAFT", required_unless_present = "matrix", conflicts_with = "matrix")]
+    pub aircraft: Option<String>,
+    /// Bare A and B with named states: FILE.json, FILE.csv or FILE.m
+    #[arg(long, value_name = "FILE")]
+    pub matrix: Option<PathBuf>,
+    /// A parameter and its value, SI and radians; may be given again
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, f64)>,
+}
+
+#[derive(Args)]
+#[group(multiple = false)]
+pub struct Output {
+    /// JSON with every digit
+    #[arg(long)]
+    json: bool,
+    /// CSV with every digit
+    #[arg(long)]
+    csv: bool,
+}
+
+#[derive(Clone, Copy)]
+pub enum Format {
+    Table,
+    Json,
+    Csv,
+}
+
+impl Output {
+    pub const fn format(&self) -> Format {
+        match (self.json, self.csv) {
+            (true, _) => Format::Json,
+            (_, true) => Format::Csv,
+            _ => Format::Table,
+        }
+    }
+}
+
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let (key, value) = text.split_once('=').ok_or("expected KEY=VALUE")?;
+    let value = value.trim().parse().map_err(|_| format!("\"{}\" is not a number", value.trim()))?;
+    Ok((key.trim().to_owned(), value))
+}

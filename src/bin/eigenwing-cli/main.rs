@@ -1,0 +1,148 @@
+//! The command line: the same analysis as on the page, without one.
+//!
+//! ```sh
+//! cargo run --no-default-features --features cli --bin eigenwing-cli -- analyse navion
+//! ```
+//!
+//! A table for people, or `--json` or `--csv` for programs. Bad input is one line on the error output and exit code 1; a command
+//! that can't be understood is exit code 2.
+
+mod arguments;
+mod csv_output;
+mod input;
+mod tables;
+
+use std::io::{ErrorKind, Write as _};
+use std::process::ExitCode;
+
+use arguments::{Arguments, Command, Format};
+use clap::Parser as _;
+use clap::error::ErrorKind as Misuse;
+use eigenwing::export::{self, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+
+use input::InputError;
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return misused(&error),
+    };
+    match answer(&arguments.command) {
+        Ok(text) => print(&text),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// What a command prints.
+fn answer(command: &Command) -> Result<String, InputError> {
+    Ok(match command {
+        Command::List { output } => {
+            let list = export::list();
+            match output.format() {
+                Format::Table => tables::list(&list),
+                Format::Json => json(&list),
+                Format::Csv => csv_output::list(&list),
+            }
+        }
+        Command::Parameters { subject, output } => {
+            let parameters = export::parameters_of(&subject.read()?)?;
+            match output.format() {
+                Format::Table => tables::parameters(&parameters),
+                Format::Json => json(&parameters),
+                Format::Csv => csv_output::parameters(&parameters),
+            }
+        }
+        Command::Analyse { subject, output } => {
+            let report = export::analyse(&subject.read()?)?;
+            match output.format() {
+                Format::Table => tables::analysis(&report),
+                Format::Json => json(&report),
+                Format::Csv => csv_output::analysis(&report),
+            }
+        }
+        Command::Respond { subject, plane, disturbance, shape, mode, steps, output } => {
+            let request = ResponseRequest {
+                plane: plane.clone(),
+                disturbance: disturbance.clone(),
+                shape: shape.clone(),
+                mode: mode.clone(),
+                steps: *steps,
+            };
+            let report = export::respond(&subject.read()?, &request)?;
+            match output.format() {
+                Format::Table => tables::response(&report),
+                Format::Json => json(&report),
+                Format::Csv => csv_output::response(&report),
+            }
+        }
+        Command::Sweep { subject, parameter, from, to, points, output } => {
+            let request =
+                SweepRequest { parameter: parameter.clone(), from: *from, to: *to, points: *points };
+            let report = swept(Sweep::new(&subject.read()?, &request)?);
+            match output.format() {
+                Format::Table => tables::sweep(&report),
+                Format::Json => json(&report),
+                Format::Csv => csv_output::sweep(&report),
+            }
+        }
+    })
+}
+
+/// The report of a sweep, with a bar on a terminal while it takes its time.
+fn swept(mut sweep: Sweep) -> SweepReport {
+    /// As many points are done before a bar could be seen.
+    const SOON_DONE: usize = 500;
+    let bar = if sweep.len() > SOON_DONE {
+        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} points, {eta} left");
+        // Draws on the error output, and only if that is a terminal.
+        let bar = ProgressBar::new(sweep.len() as u64);
+        bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    } else {
+        ProgressBar::hidden()
+    };
+    let points: Vec<SweepPoint> = sweep.by_ref().inspect(|_| bar.inc(1)).collect();
+    bar.finish_and_clear();
+    sweep.report_of(points)
+}
+
+fn json(answer: &impl Serialize) -> String {
+    // Only maps whose keys are no texts can't be written, and there are none.
+    serde_json::to_string_pretty(answer).map_or_else(|error| error.to_string(), |text| text + "\n")
+}
+
+/// Prints an answer. Whoever reads it may stop early, as `head` does; that is no error.
+fn print(text: &str) -> ExitCode {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            eprintln!("error: cannot write the answer: {error}");
+            ExitCode::FAILURE
+        }
+        _ => ExitCode::SUCCESS,
+    }
+}
+
+/// Help as clap prints it; anything else in one line.
+fn misused(error: &clap::Error) -> ExitCode {
+    match error.kind() {
+        Misuse::DisplayHelp | Misuse::DisplayVersion | Misuse::DisplayHelpOnMissingArgumentOrSubcommand => {
+            error.exit()
+        }
+        _ => {
+            let text = error.to_string();
+            let said: Vec<&str> = text
+                .lines()
+                .map(str::trim)
+                .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
+                .filter(|line| !line.is_empty())
+                .collect();
+            eprintln!("{}", said.join(" ").replace(" tip: ", "; "));
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! Answers as tables for people: four digits, units in the heads, a true minus sign.
+
+use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
+use eigenwing::export::{
+    AircraftReport, ParameterReport, PlaneOutcome, PlaneReport, Report, ResponseReport, StiffnessReport,
+    SweepChange, SweepPlane, SweepReport, ValueReport,
+};
+use eigenwing::number::significant;
+
+const DIGITS: usize = 4;
+
+/// One line under the head, nothing else: numbers are read down the columns.
+const STYLE: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
+
+/// Rows that a person reads; more are for `--csv`.
+const SAMPLES: usize = 20;
+
+/// Columns of a motion that fit side by side; likewise.
+const OUTPUTS: usize = 5;
+
+fn number(x: f64) -> String {
+    significant(x, DIGITS)
+}
+
+fn optional(value: Option<f64>) -> String {
+    value.map_or_else(String::new, number)
+}
+
+fn percent(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |x| format!("{} %", significant(100.0 * x, 3)))
+}
+
+/// σ ± jω.
+fn eigenvalue(re: f64, im: f64) -> String {
+    if im > 0.0 { format!("{} ± {}j", number(re), number(im)) } else { number(re) }
+}
+
+/// A table whose first `words` columns are words and the others numbers.
+fn table(words: usize, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut table = Table::new();
+    table.load_style(STYLE);
+    let cell = |(k, text): (usize, String)| {
+        let side = if k < words { CellAlignment::Left } else { CellAlignment::Right };
+        Cell::new(text).set_alignment(side)
+    };
+    table.set_header(head.iter().map(|&name| name.to_owned()).enumerate().map(cell));
+    for row in rows {
+        table.add_row(row.into_iter().enumerate().map(cell));
+    }
+    table.trim_fmt() + "\n"
+}
+
+pub fn list(list: &[AircraftReport]) -> String {
+    let row = |a: &AircraftReport| {
+        let planes = if a.planes.len() == 2 { "both".to_owned() } else { a.planes.join("") };
+        vec![a.key.clone(), a.name.clone(), a.condition.clone(), planes, a.status.to_owned()]
+    };
+    table(5, &["key", "aircraft", "condition", "planes", "modes"], list.iter().map(row))
+}
+
+pub fn parameters(parameters: &[ParameterReport]) -> String {
+    let row = |p: &ParameterReport| {
+        let [low, high] = p.slider;
+        vec![
+            p.key.to_owned(),
+            p.name.to_owned(),
+            p.unit.to_owned(),
+            number(p.value),
+            number(low),
+            number(high),
+        ]
+    };
+    table(3, &["key", "parameter", "unit", "value", "slider from", "to"], parameters.iter().map(row))
+}
+
+pub fn analysis(report: &Report) -> String {
+    let aircraft = &report.aircraft;
+    let mut text = format!("{}: {} ({})\n", aircraft.name, aircraft.condition, aircraft.status);
+    for (key, value) in &report.set {
+        text += &format!("{key} = {}\n", number(*value));
+    }
+    for (name, outcome) in [("Longitudinal", &report.longitudinal), ("Lateral–directional", &report.lateral)]
+    {
+        match outcome {
+            Some(PlaneOutcome::Analysed(plane)) => text += &plane_text(name, plane),
+            Some(PlaneOutcome::Failed { error }) => text += &format!("\n{name}: {error}\n"),
+            None => {}
+        }
+    }
+    if let (Some(of_static), Some(of_manoeuvre)) = (report.static_margin, report.manoeuvre_margin) {
+        text += &format!(
+            "\nStatic margin {} of the chord, manoeuvre margin {}\n",
+            percent(Some(of_static)),
+            percent(Some(of_manoeuvre))
+        );
+    }
+    if report.gravity_is_plausible == Some(false) {
+        text += "\nGravity and speed of this model can't belong to one system of units\n";
+    }
+    text
+}
+
+fn plane_text(name: &str, plane: &PlaneReport) -> String {
+    let (of_static, of_dynamic) = (&plane.static_stability, plane.dynamic_stability);
+    let mut text = format!(
+        "\n{name}: dynamically {of_dynamic}, statically {} (det A = {} 1/s⁴)\n",
+        of_static.verdict,
+        number(of_static.determinant)
+    );
+    text += &match of_static.stiffness {
+        StiffnessReport::Longitudinal { pitch_stiffness, .. } => {
+            format!("Pitch stiffness M_w = {} 1/(m·s)\n", number(pitch_stiffness))
+        }
+        StiffnessReport::Lateral { weathercock_stiffness, dihedral_effect, .. } => format!(
+            "Weathercock stiffness N'v = {} 1/(m·s), dihedral effect L'v = {} 1/(m·s)\n",
+            number(weathercock_stiffness),
+            number(dihedral_effect)
+        ),
+    };
+    let head = ["mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "T [s]", "t½ [s]", "t₂ [s]"];
+    let modes = plane.modes.iter().map(|mode| {
+        vec![
+            mode.name.to_owned(),
+            eigenvalue(mode.re, mode.im),
+            optional(mode.natural_frequency),
+            optional(mode.damping_ratio),
+            optional(mode.period),
+            optional(mode.time_to_half),
+            optional(mode.time_to_double),
+        ]
+    });
+    text += &table(1, &head, modes);
+    for mode in &plane.modes {
+        text += &format!("{}: {}\n", mode.name, mode.reason);
+    }
+    for level in &plane.levels {
+        text += &format!("{}: {}\n", level.criterion, level.sentence);
+    }
+    let head = ["approximation", "formula", "ωₙ or λ", "error", "ζ", "error"];
+    let approximations = plane.approximations.iter().map(|a| {
+        let (main, zeta) = match a.value {
+            Some(ValueReport::SecondOrder { natural_frequency, damping_ratio }) => {
+                (Some(natural_frequency), damping_ratio)
+            }
+            Some(ValueReport::Root { root }) => (Some(root), None),
+            None => (None, None),
+        };
+        vec![
+            format!("{}, {}", a.mode, a.name),
+            a.formula.to_owned(),
+            optional(main),
+            percent(a.error),
+            optional(zeta),
+            percent(a.damping_error),
+        ]
+    });
+    text + &table(2, &head, approximations)
+}
+
+pub fn response(report: &ResponseReport) -> String {
+    let signals: Vec<_> = report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)).collect();
+    let heads: Vec<String> = std::iter::once(("time", "s"))
+        .chain(signals.iter().map(|signal| (signal.name, signal.unit)))
+        .map(|(name, unit)| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") })
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let last = report.time.len().saturating_sub(1);
+    let step = last.div_ceil(SAMPLES).max(1);
+    let rows = (0..=last).step_by(step).map(|k| {
+        let values = signals.iter().map(|signal| signal.values.get(k).copied());
+        std::iter::once(report.time.get(k).copied()).chain(values).map(optional).collect()
+    });
+    let disturbance: Vec<&str> =
+        [Some(report.disturbance), report.shape, report.mode].into_iter().flatten().collect();
+    let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, disturbance.join(" "));
+    text += &table(0, &heads, rows);
+    if step > 1 {
+        text +=
+            &format!("Every {step}th of {} samples; --csv and --json give all, of more outputs.\n", last + 1);
+    }
+    if let Some(time) = report.small_until {
+        text += &format!("From {} s on this is no small disturbance any more.\n", number(time));
+    }
+    if let Some(time) = report.cut_at {
+        text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));
+    }
+    text
+}
+
+pub fn sweep(report: &SweepReport) -> String {
+    let value = format!("{} [{}]", report.parameter, report.unit);
+    let head = [value.trim_end_matches(" []"), "mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "static", "dynamic"];
+    let rows = report.points.iter().flat_map(|point| {
+        let at = number(point.value);
+        let planes = [&point.longitudinal, &point.lateral].into_iter().flatten();
+        planes.flat_map(move |plane| sweep_rows(&at, plane))
+    });
+    let mut text = format!("{}\n{}", report.aircraft.name, table(2, &head, rows));
+    let unit = report.unit;
+    for point in &report.points {
+        if let Some(error) = &point.error {
+            text += &format!("At {}: {error}\n", format!("{} {unit}", number(point.value)).trim_end());
+        }
+    }
+    report.changes.iter().fold(text, |text, change| {
+        let SweepChange { plane, stability, at, from, to, .. } = change;
+        let at = format!("{} {unit}", number(*at));
+        let adverb = if *stability == "static" { "statically" } else { "dynamically" };
+        text + &format!("At {} the {plane} motion goes from {adverb} {from} to {to}.\n", at.trim_end())
+    })
+}
+
+fn sweep_rows(at: &str, plane: &SweepPlane) -> Vec<Vec<String>> {
+    let row = |mode: &eigenwing::export::SweepMode| {
+        vec![
+            at.to_owned(),
+            mode.name.to_owned(),
+            eigenvalue(mode.re, mode.im),
+            optional(mode.natural_frequency),
+            optional(mode.damping_ratio),
+            plane.static_stability.to_owned(),
+            plane.dynamic_stability.to_owned(),
+        ]
+    };
+    plane.modes.iter().map(row).collect()
+}

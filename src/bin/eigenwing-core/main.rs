@@ -1,0 +1,67 @@
+//! The core as a JavaScript module: `list`, `parameters`, `analyse`, `respond` and `sweep` on plain objects.
+//!
+//! `cargo xtask build` makes `dist/core/eigenwing-core.js`, its `.wasm` and its types; `docs/JAVASCRIPT.md` shows how to use them.
+//! Requests and answers go through JSON, which keeps every bit of a number.
+
+// The program itself does nothing: a page calls its exports.
+fn main() {}
+
+#[cfg(target_arch = "wasm32")]
+mod exports {
+    use eigenwing::export::{ExportError, json};
+    use js_sys::{Error, JSON};
+    use wasm_bindgen::JsValue;
+    use wasm_bindgen::prelude::wasm_bindgen;
+
+    #[wasm_bindgen(typescript_custom_section)]
+    const TYPES: &str = include_str!("types.d.ts");
+
+    /// The aircraft of the list.
+    #[wasm_bindgen(unchecked_return_type = "Aircraft[]")]
+    pub fn list() -> Result<JsValue, JsValue> {
+        read(json::list())
+    }
+
+    /// The parameters that can be set on an aircraft or swept.
+    #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+    pub fn parameters(
+        #[wasm_bindgen(unchecked_param_type = "Subject")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::parameters(&written(&request)?))
+    }
+
+    /// Everything that follows for an aircraft: matrices, eigenvalues, named modes, verdicts, approximations.
+    #[wasm_bindgen(unchecked_return_type = "Analysis")]
+    pub fn analyse(
+        #[wasm_bindgen(unchecked_param_type = "Subject")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::analyse(&written(&request)?))
+    }
+
+    /// The motion after a disturbance.
+    #[wasm_bindgen(unchecked_return_type = "Motion")]
+    pub fn respond(
+        #[wasm_bindgen(unchecked_param_type = "Subject & ResponseRequest")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::respond(&written(&request)?))
+    }
+
+    /// The modes along a range of one parameter.
+    #[wasm_bindgen(unchecked_return_type = "Sweep")]
+    pub fn sweep(
+        #[wasm_bindgen(unchecked_param_type = "Subject & SweepRequest")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::sweep(&written(&request)?))
+    }
+
+    /// A request as JSON text.
+    fn written(request: &JsValue) -> Result<String, JsValue> {
+        let text = JSON::stringify(request)?.as_string();
+        text.ok_or_else(|| Error::new("expected a request such as { aircraft: \"navion\" }").into())
+    }
+
+    /// An answer as an object, or an `Error` with its sentence.
+    fn read(answer: Result<String, ExportError>) -> Result<JsValue, JsValue> {
+        JSON::parse(&answer.map_err(|error| Error::new(&error.to_string()))?)
+    }
+}

@@ -1,0 +1,352 @@
+//! What a file of matrices says, whatever its form, and the aircraft that follows.
+
+use nalgebra::{Matrix4, Matrix4x2};
+
+use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
+use crate::content::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
+use crate::content::units::UnitSystem;
+use crate::flight::analysis::STANDARD_GRAVITY;
+use crate::flight::plane::{Plane, PlaneModel, Trim};
+use crate::flight::study::{MatrixStudy, Study};
+
+/// A line, counted from 1, and what is wrong there.
+pub(super) type Problem = (usize, String);
+
+/// Something and the line on which it stands.
+#[derive(Clone, Debug)]
+pub(super) struct At<T> {
+    pub line: usize,
+    pub value: T,
+}
+
+/// What stands behind the name of a setting.
+#[derive(Clone, Debug)]
+pub(super) enum Entry {
+    Number(f64),
+    Text(String),
+    Names(Vec<String>),
+    Rows(Vec<At<Vec<f64>>>),
+}
+
+impl Entry {
+    const fn kind(&self) -> &'static str {
+        match self {
+            Self::Number(_) => "a number",
+            Self::Text(_) => "a text",
+            Self::Names(_) => "a list of names",
+            Self::Rows(_) => "a matrix",
+        }
+    }
+}
+
+/// A file as it was read, before anything is checked.
+#[derive(Debug, Default)]
+pub(super) struct Draft {
+    entries: Vec<(&'static str, At<Entry>)>,
+}
+
+/// Every setting by each name that a file may give it.
+const KEYS: [(&str, &[&str]); 10] = [
+    ("units", &["units"]),
+    ("angles", &["angles"]),
+    ("speed", &["speed", "V", "V0"]),
+    ("u0", &["u0", "U0"]),
+    ("alpha0_deg", &["alpha0_deg"]),
+    ("gamma0_deg", &["gamma0_deg"]),
+    ("states", &["states"]),
+    ("inputs", &["inputs"]),
+    ("A", &["A"]),
+    ("B", &["B"]),
+];
+
+/// A setting in a comment, read as far as it makes sense: a comment about the speed in words is just a comment.
+pub(super) fn setting_in_comment(comment: &str) -> Option<(&'static str, Entry)> {
+    let (name, value) = comment.split_once([':', '='])?;
+    let (key, value) = (setting(name.trim())?, value.trim());
+    let entry = match key {
+        "A" | "B" => return None,
+        "speed" | "u0" | "alpha0_deg" | "gamma0_deg" => Entry::Number(value.parse().ok()?),
+        "states" | "inputs" => Entry::Names(
+            value.split([' ', ',', ';', '\t']).filter(|name| !name.is_empty()).map(str::to_owned).collect(),
+        ),
+        _ => Entry::Text(value.to_owned()),
+    };
+    Some((key, entry))
+}
+
+/// The setting that goes by this name; `name` itself is one, too.
+pub(super) fn setting(name: &str) -> Option<&'static str> {
+    if name == "name" {
+        return Some("name");
+    }
+    KEYS.iter().find(|(_, names)| names.contains(&name)).map(|&(key, _)| key)
+}
+
+impl Draft {
+    /// Notes a setting; one that is given twice is a mistake.
+    pub fn set(&mut self, key: &'static str, line: usize, value: Entry) -> Result<(), Problem> {
+        if let Some(before) = self.find(key) {
+            return Err((line, format!("{key}: given twice, first on line {}", before.line)));
+        }
+        self.entries.push((key, At { line, value }));
+        Ok(())
+    }
+
+    /// Whether a setting has been given.
+    pub fn has(&self, key: &str) -> bool {
+        self.find(key).is_some()
+    }
+
+    fn find(&self, key: &str) -> Option<&At<Entry>> {
+        self.entries.iter().find(|(name, _)| *name == key).map(|(_, entry)| entry)
+    }
+
+    fn number(&self, key: &str) -> Result<Option<At<f64>>, Problem> {
+        let Some(At { line, value }) = self.find(key) else { return Ok(None) };
+        match value {
+            Entry::Number(x) if x.is_finite() => Ok(Some(At { line: *line, value: *x })),
+            Entry::Number(x) => Err((*line, format!("{key}: expected a finite number, found {x}"))),
+            other => Err((*line, format!("{key}: expected a number, found {}", other.kind()))),
+        }
+    }
+
+    fn text(&self, key: &str) -> Result<Option<At<&str>>, Problem> {
+        let Some(At { line, value }) = self.find(key) else { return Ok(None) };
+        match value {
+            Entry::Text(text) => Ok(Some(At { line: *line, value: text })),
+            other => Err((*line, format!("{key}: expected a text, found {}", other.kind()))),
+        }
+    }
+
+    fn names(&self, key: &str) -> Result<Option<At<&[String]>>, Problem> {
+        let Some(At { line, value }) = self.find(key) else { return Ok(None) };
+        match value {
+            Entry::Names(names) => Ok(Some(At { line: *line, value: names })),
+            Entry::Text(name) => Ok(Some(At { line: *line, value: std::slice::from_ref(name) })),
+            other => Err((*line, format!("{key}: expected a list of names, found {}", other.kind()))),
+        }
+    }
+
+    /// Four rows of `columns` finite numbers.
+    fn matrix(&self, key: &str, columns: usize) -> Result<Option<Vec<&[f64]>>, Problem> {
+        let Some(At { line, value }) = self.find(key) else { return Ok(None) };
+        let Entry::Rows(rows) = value else {
+            return Err((*line, format!("{key}: expected a matrix, found {}", value.kind())));
+        };
+        for (k, row) in rows.iter().enumerate() {
+            let found = row.value.len();
+            if found != columns {
+                let problem = format!("{key}: expected {columns} numbers in row {}, found {found}", k + 1);
+                return Err((row.line, problem));
+            }
+            if let Some(x) = row.value.iter().find(|x| !x.is_finite()) {
+                return Err((
+                    row.line,
+                    format!("{key}: expected a finite number in row {}, found {x}", k + 1),
+                ));
+            }
+        }
+        if rows.len() != 4 {
+            return Err((*line, format!("{key}: expected 4 rows, one a state, found {}", rows.len())));
+        }
+        Ok(Some(rows.iter().map(|row| row.value.as_slice()).collect()))
+    }
+
+    /// The aircraft, in SI and in the order of our state vectors.
+    pub fn into_aircraft(self, file: &str) -> Result<Aircraft, Problem> {
+        let length = self.units()?.length();
+        let angle = self.angle()?;
+        let states = self.states()?;
+        let plane = states[0].plane;
+        let inputs = self.inputs(plane)?;
+        let trim = self.trim(length)?;
+
+        // One of the file's unit of each state in SI, and of each input: x_SI = T x, δ_SI = D δ
+        let state_scale = states.map(|state| match (state.kind, plane) {
+            (Kind::Velocity, _) => length,
+            (Kind::FlowAngle, Plane::Longitudinal) => trim.u0() * angle,
+            (Kind::FlowAngle, Plane::Lateral) => trim.speed * angle,
+            (Kind::Angle, _) => angle,
+        });
+        let input_scale = |input: &Input| if input.is_angle { angle } else { 1.0 };
+        let missing = || (1, "A: missing; expected four rows of four numbers".to_owned());
+        let rows = self.matrix("A", 4)?.ok_or_else(missing)?;
+        let (mut a, mut b) = (Matrix4::zeros(), Matrix4x2::zeros());
+        for (i, row) in rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                // A_SI = T A T⁻¹
+                a[(states[i].index, states[j].index)] = entry * (state_scale[i] / state_scale[j]);
+            }
+        }
+        if let Some(rows) = self.matrix("B", inputs.len())? {
+            for (i, row) in rows.iter().enumerate() {
+                for (entry, input) in row.iter().zip(&inputs) {
+                    // B_SI = T B D⁻¹
+                    b[(states[i].index, input.column)] = entry * (state_scale[i] / input_scale(input));
+                }
+            }
+        }
+        self.check_kinematics(plane, &a)?;
+        let model = PlaneModel { plane, a, b, trim };
+        let study = Study::Matrices(match plane {
+            Plane::Longitudinal => MatrixStudy { longitudinal: Some(model), lateral: None },
+            Plane::Lateral => MatrixStudy { longitudinal: None, lateral: Some(model) },
+        });
+        let line = self.find("A").map_or(1, |entry| entry.line);
+        let models = study.models().map_err(|problem| (line, problem.to_string()))?;
+        if let Some(problem) = models.problems.first() {
+            return Err((line, format!("A: {problem}")));
+        }
+        let name = self.text("name")?.map_or(file, |name| name.value);
+        Ok(aircraft(file, name, plane, study, trim.speed))
+    }
+
+    fn units(&self) -> Result<UnitSystem, Problem> {
+        let expected = "\"SI\" (metres) or \"ft-slug-s\" (feet)";
+        let units = self.text("units")?.ok_or_else(|| (1, format!("units: missing; expected {expected}")))?;
+        let known = UnitSystem::NAMES.iter().find(|(name, _)| *name == units.value);
+        known
+            .map(|&(_, system)| system)
+            .ok_or_else(|| (units.line, format!("units: expected {expected}, found \"{}\"", units.value)))
+    }
+
+    /// One of the file's unit of angle in radians.
+    fn angle(&self) -> Result<f64, Problem> {
+        match self.text("angles")? {
+            None => Ok(1.0),
+            Some(At { value: "rad", .. }) => Ok(1.0),
+            Some(At { value: "deg", .. }) => Ok(1_f64.to_radians()),
+            Some(At { line, value }) => {
+                Err((line, format!("angles: expected \"rad\" or \"deg\", found \"{value}\"")))
+            }
+        }
+    }
+
+    fn states(&self) -> Result<[State; 4], Problem> {
+        let missing =
+            || (1, format!("states: missing; expected the names of four states, {STATES_EXPECTED}"));
+        let At { line, value } = self.names("states")?.ok_or_else(missing)?;
+        let mut states = Vec::with_capacity(4);
+        for name in value {
+            let unknown = || {
+                (line, format!("states: \"{name}\" is not a state known here; expected {STATES_EXPECTED}"))
+            };
+            states.push(names::state(name).ok_or_else(unknown)?);
+        }
+        let found = states.len();
+        let states: [State; 4] = states.try_into().map_err(|_| {
+            (line, format!("states: expected four of one plane of motion, {STATES_EXPECTED}; found {found}"))
+        })?;
+        for (k, name) in value.iter().enumerate() {
+            if states[k].plane != states[0].plane {
+                return Err((
+                    line,
+                    format!(
+                        "states: \"{}\" is longitudinal and \"{}\" is lateral, or the other way round; \
+                         expected one plane of motion, {STATES_EXPECTED}",
+                        value[0], name
+                    ),
+                ));
+            }
+            if let Some(twin) = (0..k).find(|&other| states[other].index == states[k].index) {
+                return Err((line, format!("states: \"{}\" and \"{name}\" are the same state", value[twin])));
+            }
+        }
+        Ok(states)
+    }
+
+    /// One for each column of B.
+    fn inputs(&self, plane: Plane) -> Result<Vec<Input>, Problem> {
+        let Some(b) = self.find("B") else { return Ok(Vec::new()) };
+        let missing =
+            || (b.line, format!("inputs: missing; expected a name for each column of B: {INPUTS_EXPECTED}"));
+        let At { line, value } = self.names("inputs")?.ok_or_else(missing)?;
+        let mut inputs: Vec<Input> = Vec::with_capacity(2);
+        for name in value {
+            let known = names::input(name).filter(|input| input.plane == plane).ok_or_else(|| {
+                let of_plane = match plane {
+                    Plane::Longitudinal => "elevator or throttle",
+                    Plane::Lateral => "aileron or rudder",
+                };
+                (line, format!("inputs: expected {of_plane} beside these states, found \"{name}\""))
+            })?;
+            if inputs.contains(&known) {
+                return Err((line, format!("inputs: \"{name}\" stands there twice")));
+            }
+            inputs.push(known);
+        }
+        Ok(inputs)
+    }
+
+    fn trim(&self, length: f64) -> Result<Trim, Problem> {
+        let degrees = |key| Ok::<_, Problem>(self.number(key)?.map_or(0.0, |angle| angle.value).to_radians());
+        let (alpha0, gamma0) = (degrees("alpha0_deg")?, degrees("gamma0_deg")?);
+        for (key, angle) in [("alpha0_deg", alpha0), ("gamma0_deg", gamma0)] {
+            if angle.abs() >= std::f64::consts::FRAC_PI_2 {
+                let line = self.find(key).map_or(1, |entry| entry.line);
+                return Err((line, format!("{key}: expected an angle between -90 and 90 degrees")));
+            }
+        }
+        let speed = match (self.number("speed")?, self.number("u0")?) {
+            (Some(speed), None) => speed,
+            // U₀ = V cos α₀
+            (None, Some(u0)) => At { line: u0.line, value: u0.value / alpha0.cos() },
+            (Some(_), Some(u0)) => {
+                return Err((u0.line, "u0: expected speed or u0, found both".to_owned()));
+            }
+            (None, None) => {
+                let problem = "speed: missing; expected the true airspeed, a positive number";
+                return Err((1, problem.to_owned()));
+            }
+        };
+        if speed.value <= 0.0 {
+            let problem = format!("speed: expected a positive number, found {}", speed.value);
+            return Err((speed.line, problem));
+        }
+        Ok(Trim { speed: speed.value * length, alpha0, gamma0, gravity: STANDARD_GRAVITY })
+    }
+
+    /// θ̇ = q, and φ̇ = p + r tan θ₀: a row that says otherwise is a row of another state.
+    fn check_kinematics(&self, plane: Plane, a: &Matrix4<f64>) -> Result<(), Problem> {
+        let row = a.row(3);
+        let near = |x: f64, expected: f64| (x - expected).abs() <= 1e-9;
+        let (holds, expected) = match plane {
+            Plane::Longitudinal => (
+                near(row[0], 0.0) && near(row[1], 0.0) && near(row[2], 1.0) && near(row[3], 0.0),
+                "row of theta: expected 1 for q and 0 for u, w and theta, for pitch rate is the rate of pitch angle",
+            ),
+            Plane::Lateral => (
+                near(row[0], 0.0) && near(row[1], 1.0) && near(row[3], 0.0),
+                "row of phi: expected 1 for p and 0 for v and phi, for roll rate is the rate of bank angle",
+            ),
+        };
+        let line = self.find("A").map_or(1, |entry| entry.line);
+        if holds { Ok(()) } else { Err((line, format!("A: {expected}; is the order of the states right?"))) }
+    }
+}
+
+fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> Aircraft {
+    let status_reason = "Bare matrices from a file: there are no published modes to compare with.".to_owned();
+    let notes = |source: String, published_reason: String| PlaneNotes {
+        status: Status::Unverified,
+        status_reason: published_reason,
+        source,
+        published: Vec::new(),
+    };
+    Aircraft {
+        key: "file".to_owned(),
+        name: name.to_owned(),
+        condition: "Bare matrices".to_owned(),
+        length_unit: LengthUnit::Metre,
+        status: Status::Unverified,
+        source: file.to_owned(),
+        study,
+        longitudinal_notes: notes(file.to_owned(), status_reason.clone()),
+        lateral_notes: (plane == Plane::Lateral).then(|| notes(file.to_owned(), status_reason.clone())),
+        status_reason,
+        particulars: Particulars { speed: Some(speed), ..Particulars::default() },
+        class: None,
+        phase: None,
+        notes: Vec::new(),
+    }
+}

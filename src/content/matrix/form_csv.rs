@@ -1,0 +1,123 @@
+//! Matrices as CSV: settings, a row of names, a row of numbers for each state.
+
+use super::draft::{At, Draft, Entry, Problem, setting, setting_in_comment};
+use super::names;
+
+/// The names in the head of the table.
+struct Head {
+    /// Whether the rows begin with the name of their state.
+    is_labelled: bool,
+    states: Vec<String>,
+    inputs: Vec<String>,
+}
+
+pub(super) fn read(text: &str) -> Result<Draft, Problem> {
+    let mut draft = Draft::default();
+    let mut head: Option<Head> = None;
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    // Line by line, so that every complaint has its line.
+    for (line, text) in (1..).zip(text.lines()) {
+        let cells = cells(line, text)?;
+        if cells.iter().all(String::is_empty) {
+            continue;
+        }
+        let Some(head) = &head else {
+            match read_setting(&cells, text) {
+                Some((key, entry)) => draft.set(key, line, entry)?,
+                None if text.trim_start().starts_with('#') => {}
+                None => head = Some(read_head(&mut draft, line, cells)?),
+            }
+            continue;
+        };
+        if text.trim_start().starts_with('#') {
+            continue;
+        }
+        let numbers = row(head, a.len(), line, &cells)?;
+        let (of_a, of_b) = numbers.split_at(head.states.len().min(numbers.len()));
+        a.push(At { line, value: of_a.to_vec() });
+        b.push(At { line, value: of_b.to_vec() });
+    }
+    let Some(head) = head else {
+        return Err((1, "expected a row with the names of the states and inputs, found none".to_owned()));
+    };
+    let line = a.first().map_or(1, |row| row.line);
+    draft.set("A", line, Entry::Rows(a))?;
+    if !head.inputs.is_empty() {
+        draft.set("B", line, Entry::Rows(b))?;
+    }
+    Ok(draft)
+}
+
+/// The cells of one line.
+fn cells(line: usize, text: &str) -> Result<Vec<String>, Problem> {
+    let mut reader =
+        csv::ReaderBuilder::new().has_headers(false).trim(csv::Trim::All).from_reader(text.as_bytes());
+    match reader.records().next() {
+        None => Ok(Vec::new()),
+        Some(Ok(record)) => Ok(record.iter().map(str::to_owned).collect()),
+        Some(Err(error)) => Err((line, error.to_string())),
+    }
+}
+
+/// `units,SI`, or the same as a comment, `# units: SI`.
+fn read_setting(cells: &[String], text: &str) -> Option<(&'static str, Entry)> {
+    if let Some(comment) = text.trim_start().strip_prefix('#') {
+        return setting_in_comment(comment.trim_end_matches([',', ' '])).filter(|(key, _)| !is_of_table(key));
+    }
+    // More cells are the head of the table, in which "V" would be the sideslip.
+    if !cells.iter().skip(2).all(String::is_empty) {
+        return None;
+    }
+    let (key, value) = (setting(cells.first()?)?, cells.get(1)?);
+    let entry = value.parse().map_or_else(|_| Entry::Text(value.clone()), Entry::Number);
+    (!is_of_table(key)).then_some((key, entry))
+}
+
+/// Whether the table says it, and nothing else does.
+fn is_of_table(key: &str) -> bool {
+    matches!(key, "A" | "B" | "states" | "inputs")
+}
+
+/// The first cell is the name of a state, or stands above the names of the rows and means nothing.
+fn read_head(draft: &mut Draft, line: usize, cells: Vec<String>) -> Result<Head, Problem> {
+    let is_labelled = names::state(&cells[0]).is_none();
+    let mut named: Vec<String> = cells.into_iter().skip(usize::from(is_labelled)).collect();
+    // Spreadsheets leave empty cells at the end.
+    while named.last().is_some_and(String::is_empty) {
+        named.pop();
+    }
+    let inputs = named.split_off(4.min(named.len()));
+    draft.set("states", line, Entry::Names(named.clone()))?;
+    if !inputs.is_empty() {
+        draft.set("inputs", line, Entry::Names(inputs.clone()))?;
+    }
+    Ok(Head { is_labelled, states: named, inputs })
+}
+
+/// The numbers of row k.
+fn row(head: &Head, k: usize, line: usize, cells: &[String]) -> Result<Vec<f64>, Problem> {
+    let mut cells = cells;
+    if head.is_labelled {
+        let label = cells.first().map_or("", String::as_str);
+        let expected = head.states.get(k).map_or("", String::as_str);
+        if label != expected {
+            let problem = match expected {
+                "" => format!("expected no row after that of the last state, found \"{label}\""),
+                expected => format!("expected the row of {expected} here, found \"{label}\""),
+            };
+            return Err((line, problem));
+        }
+        cells = &cells[1..];
+    }
+    let wanted = head.states.len() + head.inputs.len();
+    while cells.len() > wanted && cells.last().is_some_and(String::is_empty) {
+        cells = &cells[..cells.len() - 1];
+    }
+    if cells.len() != wanted {
+        let problem = format!("expected {wanted} numbers, one a state and input, found {}", cells.len());
+        return Err((line, problem));
+    }
+    let number =
+        |cell: &String| cell.parse().map_err(|_| (line, format!("expected a number, found \"{cell}\"")));
+    cells.iter().map(number).collect()
+}

@@ -1,0 +1,67 @@
+//! Bare matrices A and B with named states, from JSON, CSV or MATLAB text, as a study like any other.
+//!
+//! Every form says the same things, and each is required but for those in brackets:
+//!
+//! | key | meaning |
+//! |---|---|
+//! | `units` | `"SI"` (metres) or `"ft-slug-s"` (feet); time is in seconds |
+//! | \[`angles`\] | `"rad"`, which is also meant where it is missing, or `"deg"`: of every angle, rate, elevator, aileron and rudder |
+//! | `speed` (`V`) or `u0` (`U0`) | true airspeed, or its part along the *x* axis, in the unit of length over seconds |
+//! | \[`alpha0_deg`, `gamma0_deg`\] | trim angle of attack of the *x* axis and flight-path angle, zero where missing |
+//! | `states` | four names in the order of the file: *u*, *w* or α, *q*, θ; or *v* or β, *p*, *r*, φ |
+//! | `inputs` | a name for each column of B: elevator, throttle; or aileron, rudder |
+//! | `A`, \[`B`\] | four rows; without B there are no inputs |
+//! | \[`name`\] | words for a title |
+//!
+//! What is read is turned by an exact similarity into the order, units and states of [`crate::flight`].
+
+mod draft;
+mod form_csv;
+mod form_json;
+mod form_matlab;
+mod names;
+
+use super::aircraft::{Aircraft, ContentError};
+
+/// A form in which matrices are written down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixFormat {
+    /// One object: `{"units": "SI", "speed": 54, "states": […], "inputs": […], "A": [[…], …], "B": [[…], …]}`.
+    Json,
+    /// Settings such as `units,SI`, then a row of names (states, then inputs), then a row of numbers for each state; a row may
+    /// begin with the name of its state.
+    Csv,
+    /// `A = [ … ; … ];` and the same for B, with the settings as variables or as comments such as `% units: SI`.
+    Matlab,
+}
+
+impl MatrixFormat {
+    /// The forms by the name that a request gives them, which is also how their files end.
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("json", Self::Json), ("csv", Self::Csv), ("m", Self::Matlab)];
+
+    /// The form that a file's name ends in.
+    pub fn of_file(name: &str) -> Option<Self> {
+        let (_, ending) = name.rsplit_once('.')?;
+        let found = Self::NAMES.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known));
+        found.map(|&(_, format)| format)
+    }
+}
+
+impl Aircraft {
+    /// Reads bare matrices and converts them to SI; `file` is its name for messages and, without a `name`, its title.
+    pub fn from_matrices(file: &str, text: &str, format: MatrixFormat) -> Result<Self, ContentError> {
+        // Windows' editors begin a text with a mark of its encoding.
+        let text = text.trim_start_matches('\u{feff}');
+        let problem = |(line, problem)| ContentError { file: file.to_owned(), line, problem };
+        if text.trim().is_empty() {
+            return Err(problem((1, "the file is empty; expected the matrices A and B".to_owned())));
+        }
+        let draft = match format {
+            MatrixFormat::Json => form_json::read(text),
+            MatrixFormat::Csv => form_csv::read(text),
+            MatrixFormat::Matlab => form_matlab::read(text),
+        };
+        draft.and_then(|draft| draft.into_aircraft(file)).map_err(problem)
+    }
+}

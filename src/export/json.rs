@@ -1,0 +1,116 @@
+//! Requests and answers as JSON text: what JavaScript calls.
+//!
+//! A request is one object. It names its aircraft by one of `aircraft` (a key of the list), `toml` (the text of an aircraft file)
+//! or `matrices` (the text of bare matrices, with `format`: `"json"`, `"csv"` or `"m"`); `file` is a name for messages, and
+//! `set` holds values by the keys of the table of parameters \[SI, radians\]. What is asked stands beside them: the fields of
+//! [`ResponseRequest`] or [`SweepRequest`]. A field that isn't known is a mistake.
+
+use std::collections::BTreeMap;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::respond::ResponseRequest;
+use super::subject::{ExportError, Source, Subject};
+use super::sweep::{Sweep, SweepRequest};
+use crate::content::MatrixFormat;
+
+/// The fields of a request that say which aircraft.
+const SUBJECT: [&str; 6] = ["aircraft", "toml", "matrices", "format", "file", "set"];
+
+/// Which aircraft, as a request says it.
+#[derive(Deserialize)]
+struct SubjectForm {
+    aircraft: Option<String>,
+    toml: Option<String>,
+    matrices: Option<String>,
+    format: Option<String>,
+    file: Option<String>,
+    #[serde(default)]
+    set: BTreeMap<String, f64>,
+}
+
+/// A request with nothing beside its aircraft.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Nothing {}
+
+/// The aircraft that ship: an array of [`super::AircraftReport`].
+pub fn list() -> Result<String, ExportError> {
+    written(&super::list())
+}
+
+/// The parameters of an aircraft: an array of [`super::ParameterReport`].
+pub fn parameters(request: &str) -> Result<String, ExportError> {
+    let (subject, Nothing {}) = read(request)?;
+    written(&super::parameters_of(&subject)?)
+}
+
+/// Everything that follows for an aircraft: a [`super::Report`].
+pub fn analyse(request: &str) -> Result<String, ExportError> {
+    let (subject, Nothing {}) = read(request)?;
+    written(&super::analyse(&subject)?)
+}
+
+/// The motion after a disturbance: a [`super::ResponseReport`].
+pub fn respond(request: &str) -> Result<String, ExportError> {
+    let (subject, request): (_, ResponseRequest) = read(request)?;
+    written(&super::respond(&subject, &request)?)
+}
+
+/// The modes along a parameter: a [`super::SweepReport`].
+pub fn sweep(request: &str) -> Result<String, ExportError> {
+    let (subject, request): (_, SweepRequest) = read(request)?;
+    written(&Sweep::new(&subject, &request)?.report())
+}
+
+fn read<T: DeserializeOwned>(request: &str) -> Result<(Subject, T), ExportError> {
+    let mut fields: Map<String, Value> = from(serde_json::from_str(request))?;
+    let subject: Map<String, Value> = SUBJECT.iter().filter_map(|key| fields.remove_entry(*key)).collect();
+    let form: SubjectForm = from(serde_json::from_value(Value::Object(subject)))?;
+    Ok((form.subject()?, from(serde_json::from_value(Value::Object(fields)))?))
+}
+
+fn from<T>(outcome: Result<T, serde_json::Error>) -> Result<T, ExportError> {
+    outcome.map_err(|error| ExportError::Request(format!("the request can't be read: {error}")))
+}
+
+fn written(answer: &impl Serialize) -> Result<String, ExportError> {
+    serde_json::to_string(answer)
+        .map_err(|error| ExportError::Request(format!("the answer can't be written: {error}")))
+}
+
+impl SubjectForm {
+    fn subject(self) -> Result<Subject, ExportError> {
+        let wrong = |problem: &str| Err(ExportError::Request(problem.to_owned()));
+        let file = |default: &str| self.file.clone().unwrap_or_else(|| default.to_owned());
+        let source = match (self.aircraft, self.toml, self.matrices, self.format.as_deref()) {
+            (Some(key), None, None, None) => Source::Listed(key),
+            (None, Some(text), None, None) => Source::Toml { file: file("aircraft.toml"), text },
+            (None, None, Some(text), Some(format)) => {
+                let known = MatrixFormat::NAMES.iter().find(|(name, _)| *name == format);
+                match known {
+                    Some(&(name, format)) => {
+                        Source::Matrices { file: file(&format!("matrices.{name}")), text, format }
+                    }
+                    None => {
+                        return wrong(&format!(
+                            "format: expected \"json\", \"csv\" or \"m\", found \"{format}\""
+                        ));
+                    }
+                }
+            }
+            (None, None, Some(_), None) => {
+                return wrong("format: missing; expected \"json\", \"csv\" or \"m\" beside matrices");
+            }
+            (None, None, None, None) => {
+                return wrong("the request names no aircraft; expected aircraft, toml or matrices");
+            }
+            _ => {
+                return wrong("expected one of aircraft, toml and matrices, and format beside matrices only");
+            }
+        };
+        Ok(Subject { source, set: self.set.into_iter().collect() })
+    }
+}

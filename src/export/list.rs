@@ -1,0 +1,56 @@
+//! What there is to ask about: the aircraft, and the parameters of one of them.
+
+use serde::Serialize;
+
+use super::report::AircraftReport;
+use super::subject::{ExportError, Subject, plane_name};
+use crate::content::embedded_aircraft;
+use crate::scenario::parameters;
+
+/// The aircraft that ship, in the order of the page's chooser.
+pub fn list() -> Vec<AircraftReport> {
+    embedded_aircraft().0.iter().map(AircraftReport::of).collect()
+}
+
+/// A parameter that can be set on an aircraft.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParameterReport {
+    /// Its key, in `set` and in a sweep.
+    pub key: &'static str,
+    /// Name in words.
+    pub name: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+    /// The sign that stabilises, or what the sign does.
+    pub sign: &'static str,
+    /// SI unit of the numbers below; empty for a ratio.
+    pub unit: &'static str,
+    /// `longitudinal` or `lateral`; null for both.
+    pub plane: Option<&'static str>,
+    /// Value on this aircraft.
+    pub value: f64,
+    /// Where a slider begins and ends: what is physical.
+    pub slider: [f64; 2],
+    /// Least and greatest value that is accepted.
+    pub accepted: [f64; 2],
+}
+
+/// The parameters that an aircraft has, in the order of the page.
+pub fn parameters_of(subject: &Subject) -> Result<Vec<ParameterReport>, ExportError> {
+    let scenario = subject.scenario()?;
+    let report = parameters().filter(|p| p.applies(&scenario)).map(|p| {
+        let (slider, accepted) = (p.range(&scenario), p.accepted(&scenario));
+        ParameterReport {
+            key: p.key,
+            name: p.name,
+            meaning: p.meaning,
+            sign: p.sign,
+            unit: p.dimension.si_symbol(),
+            plane: p.plane.map(plane_name),
+            value: p.get(&scenario),
+            slider: [*slider.start(), *slider.end()],
+            accepted: [*accepted.start(), *accepted.end()],
+        }
+    });
+    Ok(report.collect())
+}

@@ -1,0 +1,214 @@
+//! What another program asks about: an aircraft of the list or of a text, and what is changed of it.
+
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::content::{Aircraft, ContentError, FILES, MatrixFormat};
+use crate::flight::AnalysisError;
+use crate::flight::plane::Plane;
+use crate::flight::study::StudyError;
+use crate::number::significant;
+use crate::scenario::{Parameter, Scenario, ValueError, parameters};
+
+/// Where the aircraft comes from. The library reads no files: whoever asks hands over their text.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// One of the list, by its key.
+    Listed(String),
+    /// An aircraft file in the form of those under `assets/aircraft`.
+    Toml {
+        /// Its name, for messages.
+        file: String,
+        /// What stands in it.
+        text: String,
+    },
+    /// Bare matrices.
+    Matrices {
+        /// Its name, for messages.
+        file: String,
+        /// What stands in it.
+        text: String,
+        /// How it is written.
+        format: MatrixFormat,
+    },
+}
+
+/// An aircraft with the parameters that are set on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// Where it comes from.
+    pub source: Source,
+    /// Keys of the table of parameters and their values \[SI, radians\]. They are set in the order of that table, coefficients
+    /// before what follows from them, so that each ends at its value.
+    pub set: Vec<(String, f64)>,
+}
+
+/// Why a request can't be answered, in one sentence.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ExportError {
+    /// The text of an aircraft can't be read.
+    #[error(transparent)]
+    Content(#[from] ContentError),
+    /// Not an aircraft of the list.
+    #[error("there is no aircraft \"{name}\" in the list{}", did_you_mean(.nearest))]
+    UnknownAircraft {
+        /// What was asked for.
+        name: String,
+        /// The key most like it.
+        nearest: Option<String>,
+    },
+    /// Not a key of the table of parameters.
+    #[error("there is no parameter \"{key}\"{}", did_you_mean(.nearest))]
+    UnknownParameter {
+        /// What was asked for.
+        key: String,
+        /// The key most like it.
+        nearest: Option<String>,
+    },
+    /// A key that this aircraft doesn't have.
+    #[error("{aircraft} has no parameter {key} ({name}): its source has no numbers for it")]
+    NotOfAircraft {
+        /// The key.
+        key: &'static str,
+        /// The parameter in words.
+        name: &'static str,
+        /// Key of the aircraft.
+        aircraft: String,
+    },
+    /// NaN or infinite.
+    #[error("{0}: expected a finite number")]
+    NotFinite(&'static str),
+    /// Beyond anything with a meaning.
+    #[error("{key}: {value} is beyond what is accepted, {low} to {high}")]
+    Beyond {
+        /// The key.
+        key: &'static str,
+        /// The refused value with its SI unit.
+        value: String,
+        /// Least accepted value.
+        low: String,
+        /// Greatest accepted value, with its SI unit.
+        high: String,
+    },
+    /// The aircraft has no data of a plane of motion.
+    #[error("{aircraft} has no {} data", plane_name(*.plane))]
+    NoPlane {
+        /// Key of the aircraft.
+        aircraft: String,
+        /// The plane.
+        plane: Plane,
+    },
+    /// There is no such steady flight.
+    #[error(transparent)]
+    Study(#[from] StudyError),
+    /// What follows can't be had.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+    /// The request itself makes no sense.
+    #[error("{0}")]
+    Request(String),
+}
+
+fn did_you_mean(nearest: &Option<String>) -> String {
+    nearest.as_ref().map_or_else(String::new, |nearest| format!("; did you mean \"{nearest}\"?"))
+}
+
+/// The name of a plane in requests and answers.
+pub const fn plane_name(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Longitudinal => "longitudinal",
+        Plane::Lateral => "lateral",
+    }
+}
+
+impl Subject {
+    /// An aircraft of the list as it is.
+    pub fn listed(key: &str) -> Self {
+        Self { source: Source::Listed(key.to_owned()), set: Vec::new() }
+    }
+
+    /// The aircraft with its parameters set.
+    pub fn scenario(&self) -> Result<Scenario, ExportError> {
+        let aircraft = self.source.aircraft()?;
+        let is_lateral = aircraft.study.models()?.longitudinal.is_none();
+        let mut scenario = Scenario::new(Arc::new(aircraft));
+        if is_lateral {
+            scenario.plane = Plane::Lateral;
+        }
+        let mut settings = self
+            .set
+            .iter()
+            .map(|(key, value)| Ok((find_parameter(key)?, *value)))
+            .collect::<Result<Vec<_>, ExportError>>()?;
+        settings.sort_by_key(|(parameter, _)| parameters().position(|p| p.key == parameter.key));
+        for (parameter, value) in settings {
+            let value = checked(&scenario, parameter, value)?;
+            parameter.set(&mut scenario, value);
+        }
+        Ok(scenario)
+    }
+}
+
+impl Source {
+    fn aircraft(&self) -> Result<Aircraft, ExportError> {
+        Ok(match self {
+            Self::Listed(key) => {
+                let keys = || FILES.iter().filter_map(|(file, _)| file.strip_suffix(".toml"));
+                let found = FILES.iter().find(|(file, _)| file.strip_suffix(".toml") == Some(key));
+                let unknown =
+                    || ExportError::UnknownAircraft { name: key.clone(), nearest: nearest(key, keys()) };
+                let (file, text) = found.ok_or_else(unknown)?;
+                Aircraft::from_toml(file, text)?
+            }
+            Self::Toml { file, text } => Aircraft::from_toml(file, text)?,
+            Self::Matrices { file, text, format } => Aircraft::from_matrices(file, text, *format)?,
+        })
+    }
+}
+
+/// The row of the table of parameters with this key.
+pub(super) fn find_parameter(key: &str) -> Result<&'static Parameter, ExportError> {
+    Parameter::find(key).ok_or_else(|| ExportError::UnknownParameter {
+        key: key.to_owned(),
+        nearest: nearest(key, parameters().map(|p| p.key)),
+    })
+}
+
+/// A value that the aircraft's parameter accepts \[SI\].
+pub(super) fn checked(
+    scenario: &Scenario,
+    parameter: &'static Parameter,
+    value: f64,
+) -> Result<f64, ExportError> {
+    if !parameter.applies(scenario) {
+        // Without a steady flight nothing that follows from it is there either.
+        scenario.edited.models()?;
+        let (key, name, aircraft) = (parameter.key, parameter.name, scenario.aircraft.key.clone());
+        return Err(ExportError::NotOfAircraft { key, name, aircraft });
+    }
+    parameter.check(scenario, value).map_err(|error| match error {
+        ValueError::NotFinite | ValueError::NotANumber(_) => ExportError::NotFinite(parameter.key),
+        ValueError::Absurd { .. } => {
+            let accepted = parameter.accepted(scenario);
+            let unit = parameter.dimension.si_symbol();
+            let with_unit = |x: f64| format!("{} {unit}", significant(x, 4)).trim_end().to_owned();
+            ExportError::Beyond {
+                key: parameter.key,
+                value: with_unit(value),
+                low: significant(*accepted.start(), 4),
+                high: with_unit(*accepted.end()),
+            }
+        }
+    })
+}
+
+/// The name most like a misspelt one, if any is like it.
+pub(super) fn nearest<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<String> {
+    let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), other);
+    names
+        .map(|other| (likeness(other), other))
+        .filter(|(likeness, _)| *likeness > 0.75)
+        .max_by(|x, y| x.0.total_cmp(&y.0))
+        .map(|(_, other)| other.to_owned())
+}

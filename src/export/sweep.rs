@@ -1,0 +1,330 @@
+//! The modes along a range of one parameter.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::report::{AircraftReport, Units, dynamic_word, static_word};
+use super::subject::{ExportError, Subject, checked, find_parameter, plane_name};
+use crate::flight::modes::{DynamicStability, Mode, dynamic_stability, modes};
+use crate::flight::plane::{Plane, PlaneModel};
+use crate::flight::static_stability::{StaticVerdict, plane_static_stability};
+use crate::flight::study::{Models, StudyError};
+use crate::scenario::{Parameter, Scenario};
+
+/// More points than this are refused: a slip of the finger, and more than a file is good for.
+pub const MOST_POINTS: usize = 100_000;
+
+/// A change of verdict is found to this fraction of the step between two points, 2⁻⁴⁰.
+const HALVINGS: usize = 40;
+
+/// Which parameter goes from where to where.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SweepRequest {
+    /// Key of the parameter.
+    pub parameter: String,
+    /// First value \[SI\].
+    pub from: f64,
+    /// Last value \[SI\].
+    pub to: f64,
+    /// Number of values, both ends among them.
+    #[serde(default = "some_points")]
+    pub points: usize,
+}
+
+const fn some_points() -> usize {
+    51
+}
+
+/// What a sweep found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepReport {
+    /// The aircraft.
+    pub aircraft: AircraftReport,
+    /// The unit of every number below, by the name of its field.
+    pub units: Units,
+    /// What else was set on it, SI.
+    pub set: BTreeMap<String, f64>,
+    /// Key of the parameter.
+    pub parameter: &'static str,
+    /// Its SI unit: that of `value`, `between` and `at`.
+    pub unit: &'static str,
+    /// The points in order.
+    pub points: Vec<SweepPoint>,
+    /// Where a verdict changes.
+    pub changes: Vec<SweepChange>,
+}
+
+/// One point of a sweep.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepPoint {
+    /// Value of the parameter.
+    pub value: f64,
+    /// Longitudinal motion; null where the aircraft has no data of it or the parameter doesn't move it.
+    pub longitudinal: Option<SweepPlane>,
+    /// Lateral–directional motion, likewise.
+    pub lateral: Option<SweepPlane>,
+    /// Why a plane that has data has no modes here.
+    pub error: Option<String>,
+}
+
+/// One plane at one point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepPlane {
+    /// `stable`, `neutral` or `unstable`.
+    pub static_stability: &'static str,
+    /// That of the worst mode.
+    pub dynamic_stability: &'static str,
+    /// det A.
+    pub determinant: f64,
+    /// The modes.
+    pub modes: Vec<SweepMode>,
+}
+
+/// One mode at one point.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SweepMode {
+    /// What it is called.
+    pub name: &'static str,
+    /// Real part.
+    pub re: f64,
+    /// Imaginary part, not negative.
+    pub im: f64,
+    /// ωₙ, of an oscillation.
+    pub natural_frequency: Option<f64>,
+    /// ζ, of an oscillation.
+    pub damping_ratio: Option<f64>,
+}
+
+/// A change of verdict between two neighbouring points.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SweepChange {
+    /// The plane.
+    pub plane: &'static str,
+    /// `static` or `dynamic`.
+    pub stability: &'static str,
+    /// The points before and after it.
+    pub between: [f64; 2],
+    /// Where it is, by bisection; one of them, should there be several between the two.
+    pub at: f64,
+    /// The verdict before.
+    pub from: &'static str,
+    /// The verdict after.
+    pub to: &'static str,
+}
+
+/// A sweep under way: an iterator over its points, so that a person can be shown how far it is.
+#[derive(Debug)]
+pub struct Sweep {
+    scenario: Scenario,
+    set: BTreeMap<String, f64>,
+    parameter: &'static Parameter,
+    planes: Vec<Plane>,
+    values: Vec<f64>,
+    next: usize,
+}
+
+impl Sweep {
+    /// Checks everything; nothing is computed yet.
+    pub fn new(subject: &Subject, request: &SweepRequest) -> Result<Self, ExportError> {
+        let scenario = subject.scenario()?;
+        let parameter = find_parameter(&request.parameter)?;
+        let &SweepRequest { from, to, points, .. } = request;
+        for end in [from, to] {
+            checked(&scenario, parameter, end)?;
+        }
+        if !(2..=MOST_POINTS).contains(&points) {
+            let problem = format!("points: expected 2 to {MOST_POINTS}, found {points}");
+            return Err(ExportError::Request(problem));
+        }
+        if from == to {
+            return Err(ExportError::Request(format!("a sweep from {from} to {to} goes nowhere")));
+        }
+        let last = points - 1;
+        let value = |k: usize| from * ((last - k) as f64 / last as f64) + to * (k as f64 / last as f64);
+        let set = subject.set.iter().cloned().collect();
+        let planes = moved_planes(&scenario, parameter, from, to);
+        if planes.is_empty() {
+            let Parameter { key, name, .. } = parameter;
+            return Err(ExportError::Request(format!(
+                "{key} ({name}) moves no mode: there is nothing to sweep"
+            )));
+        }
+        Ok(Self { scenario, set, parameter, planes, values: (0..points).map(value).collect(), next: 0 })
+    }
+
+    /// Everything at once.
+    pub fn report(mut self) -> SweepReport {
+        let points: Vec<SweepPoint> = self.by_ref().collect();
+        self.report_of(points)
+    }
+
+    /// The points of this sweep together with where verdicts change between them.
+    pub fn report_of(&self, points: Vec<SweepPoint>) -> SweepReport {
+        let mut changes = Vec::new();
+        for &plane in &self.planes {
+            for kind in [Verdict::Static, Verdict::Dynamic] {
+                self.find_changes(plane, kind, &points, &mut changes);
+            }
+        }
+        SweepReport {
+            aircraft: AircraftReport::of(&self.scenario.aircraft),
+            units: Units,
+            set: self.set.clone(),
+            parameter: self.parameter.key,
+            unit: self.parameter.dimension.si_symbol(),
+            points,
+            changes,
+        }
+    }
+
+    fn point(&self, value: f64) -> SweepPoint {
+        let models = match models_at(&self.scenario, self.parameter, value) {
+            Ok(models) => models,
+            Err(error) => {
+                let error = Some(error.to_string());
+                return SweepPoint { value, longitudinal: None, lateral: None, error };
+            }
+        };
+        let is_of = |problem: &&StudyError| problem.plane().is_none_or(|plane| self.planes.contains(&plane));
+        let mut error = models.problems.iter().find(is_of).map(ToString::to_string);
+        let mut of = |plane: Plane| {
+            let model = models.of(plane).filter(|_| self.planes.contains(&plane))?;
+            match sweep_plane(model) {
+                Ok(plane) => Some(plane),
+                Err(problem) => {
+                    error.get_or_insert(problem);
+                    None
+                }
+            }
+        };
+        let (longitudinal, lateral) = (of(Plane::Longitudinal), of(Plane::Lateral));
+        SweepPoint { value, longitudinal, lateral, error }
+    }
+
+    /// Where one verdict turns from stable to unstable or back. A point on the boundary is neither; across points without
+    /// modes nothing is said.
+    fn find_changes(&self, plane: Plane, kind: Verdict, points: &[SweepPoint], found: &mut Vec<SweepChange>) {
+        let mut before: Option<(f64, &'static str)> = None;
+        for point in points {
+            let Some(to) = kind.of(plane, point) else {
+                before = None;
+                continue;
+            };
+            if to == NEUTRAL {
+                continue;
+            }
+            if let Some((value, from)) = before.filter(|(_, from)| *from != to) {
+                let between = [value, point.value];
+                let at = self.boundary(plane, kind, from, between);
+                let stability = kind.text();
+                found.push(SweepChange { plane: plane_name(plane), stability, between, at, from, to });
+            }
+            before = Some((point.value, to));
+        }
+    }
+
+    /// Where the verdict stops being `from`.
+    fn boundary(&self, plane: Plane, kind: Verdict, from: &str, [mut before, mut after]: [f64; 2]) -> f64 {
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (before + after);
+            match kind.of(plane, &self.point(middle)) {
+                Some(NEUTRAL) => return middle,
+                Some(verdict) if verdict == from => before = middle,
+                _ => after = middle,
+            }
+        }
+        0.5 * (before + after)
+    }
+}
+
+impl Iterator for Sweep {
+    type Item = SweepPoint;
+
+    fn next(&mut self) -> Option<SweepPoint> {
+        let value = *self.values.get(self.next)?;
+        self.next += 1;
+        Some(self.point(value))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.values.len() - self.next;
+        (left, Some(left))
+    }
+}
+
+impl ExactSizeIterator for Sweep {}
+
+#[derive(Clone, Copy)]
+enum Verdict {
+    Static,
+    Dynamic,
+}
+
+/// The word of a verdict on the boundary.
+const NEUTRAL: &str = static_word(StaticVerdict::Neutral);
+
+impl Verdict {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Static => "static",
+            Self::Dynamic => "dynamic",
+        }
+    }
+
+    fn of(self, plane: Plane, point: &SweepPoint) -> Option<&'static str> {
+        let plane = match plane {
+            Plane::Longitudinal => point.longitudinal.as_ref(),
+            Plane::Lateral => point.lateral.as_ref(),
+        }?;
+        Some(match self {
+            Self::Static => plane.static_stability,
+            Self::Dynamic => plane.dynamic_stability,
+        })
+    }
+}
+
+fn models_at(scenario: &Scenario, parameter: &Parameter, value: f64) -> Result<Models, StudyError> {
+    let mut moved = scenario.clone();
+    parameter.set(&mut moved, value);
+    moved.edited.models()
+}
+
+/// The planes whose A is not the same at both ends and in the middle. Where there is no such flight, nothing is known of it and
+/// both are kept.
+fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) -> Vec<Plane> {
+    let at = [from, 0.5 * (from + to), to].map(|value| models_at(scenario, parameter, value));
+    let is_moved = |plane: &Plane| match &at {
+        [Ok(first), Ok(second), Ok(third)] => {
+            let a = [first, second, third].map(|models| models.of(*plane).map(|model| model.a));
+            a[0] != a[1] || a[1] != a[2]
+        }
+        _ => true,
+    };
+    [Plane::Longitudinal, Plane::Lateral].into_iter().filter(is_moved).collect()
+}
+
+fn sweep_plane(model: &PlaneModel) -> Result<SweepPlane, String> {
+    let modes = modes(model).map_err(|error| error.to_string())?;
+    let of_static = plane_static_stability(model);
+    let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
+    let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
+    let of_dynamic: DynamicStability = dynamic_stability(worst, fastest);
+    Ok(SweepPlane {
+        static_stability: static_word(of_static.verdict),
+        dynamic_stability: dynamic_word(of_dynamic),
+        determinant: of_static.determinant,
+        modes: modes.iter().map(sweep_mode).collect(),
+    })
+}
+
+fn sweep_mode(mode: &Mode) -> SweepMode {
+    SweepMode {
+        name: mode.naming.name.text(),
+        re: mode.lambda.re,
+        im: mode.lambda.im,
+        natural_frequency: mode.natural_frequency(),
+        damping_ratio: mode.damping_ratio(),
+    }
+}

@@ -1,0 +1,245 @@
+//! The aircraft at one moment of a motion: where it is, where it points, what pushes it. A function of time, so that a playback
+//! scrubs and never drifts.
+
+use nalgebra::{Vector2, Vector4};
+
+use super::Scenario;
+use crate::flight::analysis::{Motion, STANDARD_GRAVITY};
+use crate::flight::flight_path::FlightPath;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::flight::states::{Lateral, Longitudinal};
+use crate::flight::study::Study;
+use crate::flight::{Channel, Start};
+
+/// The largest angle that a mode flown alone is made to show \[rad\].
+const EXAGGERATED_TO: f64 = 0.25;
+
+/// A motion as it is flown on screen: the linear one, or the nonlinear where that is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Flown<'a> {
+    /// What is studied.
+    pub scenario: &'a Scenario,
+    /// The linear motion.
+    pub motion: &'a Motion,
+    /// The nonlinear flight, to be shown instead.
+    pub flight: Option<&'a FlightPath>,
+}
+
+/// The aircraft at one moment. Angles in radians, lengths in metres, SI.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// φ, θ of the fuselage and ψ, with the trim's own.
+    pub attitude: [f64; 3],
+    /// p, q, r, not exaggerated.
+    pub rates: [f64; 3],
+    /// Angle of attack of the fuselage, with the trim's own.
+    pub alpha: f64,
+    /// Sideslip.
+    pub beta: f64,
+    /// North (along the steady flight), east, down, from where the motion began.
+    pub position: [f64; 3],
+    /// Where undisturbed flight would have brought it.
+    pub steady_position: [f64; 3],
+    /// δe, δa with the right aileron up positive, δr.
+    pub deflections: [f64; 3],
+    /// Lift, weight, thrust and drag over the weight of the reference, in body axes of the fuselage; `None` where the drag is unknown.
+    pub forces: Option<[[f64; 3]; 4]>,
+}
+
+/// A moment that pushes or damps a motion, −1 to 1 of the largest of its kind in the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MomentArrow {
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Body axis that it turns about: 0 for x, 1 for y, 2 for z.
+    pub axis: usize,
+    /// Its size, positive as the right hand turns.
+    pub size: f64,
+    /// Whether it damps (follows a rate), or pushes (follows a flow angle).
+    pub damps: bool,
+}
+
+impl Flown<'_> {
+    /// How much larger than it is the motion is shown: only a mode flown alone is, by a round factor.
+    pub fn exaggeration(&self) -> f64 {
+        if !matches!(self.scenario.experiment().start, Start::Mode { .. }) || self.flight.is_some() {
+            return 1.0;
+        }
+        let outputs = match self.motion.model.plane {
+            Plane::Longitudinal => [Output::AngleOfAttack, Output::PitchAngle],
+            Plane::Lateral => [Output::Sideslip, Output::BankAngle],
+        };
+        let largest = outputs
+            .into_iter()
+            .map(|output| self.motion.values(output).into_iter().fold(0.0, |most: f64, x| most.max(x.abs())))
+            .fold(1e-9, f64::max);
+        let factor = (EXAGGERATED_TO / largest).clamp(1.0, 100.0);
+        [50.0, 20.0, 10.0, 5.0, 4.0, 3.0, 2.0].into_iter().find(|round| *round <= factor).unwrap_or(1.0)
+    }
+
+    /// Time of the last sample \[s\].
+    pub fn end(&self) -> f64 {
+        match self.flight {
+            Some(flight) => flight.samples.len().saturating_sub(1) as f64 * flight.dt,
+            None => self.motion.response.states.len().saturating_sub(1) as f64 * self.motion.response.dt,
+        }
+    }
+
+    /// The aircraft at a time \[s\]; after the end it stays where it was.
+    pub fn pose(&self, time: f64, exaggeration: f64) -> Pose {
+        let trim = &self.motion.model.trim;
+        let t = time.clamp(0.0, self.end());
+        let values = |output: Output| self.at(output, t);
+        let large = |output: Output| exaggeration * values(output);
+        let fuselage = self.scenario.fuselage_incidence();
+        let level = [trim.speed * trim.gamma0.cos() * t, 0.0, -trim.speed * trim.gamma0.sin() * t];
+        let mut pose = Pose {
+            attitude: [large(Output::BankAngle), large(Output::PitchAngle), large(Output::Heading)],
+            rates: [Output::RollRate, Output::PitchRate, Output::YawRate].map(values),
+            alpha: trim.alpha0 + fuselage + large(Output::AngleOfAttack),
+            beta: large(Output::Sideslip),
+            position: [large(Output::Distance), large(Output::Offset), -large(Output::Height)],
+            steady_position: level,
+            deflections: self.deflections(t),
+            forces: None,
+        };
+        pose.attitude[1] += trim.theta0() + fuselage;
+        for (place, level) in pose.position.iter_mut().zip(level) {
+            *place += level;
+        }
+        pose.forces = self.forces(&pose, values(Output::NormalLoad), values(Output::ForwardSpeed));
+        pose
+    }
+
+    /// Where it has been since `seconds` before a time, the oldest first, up to then: north, east, down \[m\].
+    pub fn path(&self, time: f64, seconds: f64, exaggeration: f64) -> Vec<[f64; 3]> {
+        const POINTS: usize = 60;
+        let (start, end) = ((time - seconds).max(0.0), time.min(self.end()));
+        (0..=POINTS)
+            .map(|k| {
+                let t = start + (end - start) * k as f64 / POINTS as f64;
+                self.pose(t, exaggeration).position
+            })
+            .collect()
+    }
+
+    /// The moments that push and damp the motion of a mode flown alone; none otherwise.
+    pub fn moments(&self, time: f64) -> Vec<MomentArrow> {
+        if !matches!(self.scenario.experiment().start, Start::Mode { .. }) || self.flight.is_some() {
+            return Vec::new();
+        }
+        let (a, states) = (&self.motion.model.a, &self.motion.response.states);
+        let (x, _) = self.state(time);
+        let rows: &[(&'static str, usize, usize, usize, bool)] = match self.motion.model.plane {
+            Plane::Longitudinal => &[
+                ("M_α α", 1, Longitudinal::Q.index(), Longitudinal::W.index(), false),
+                ("M_q q", 1, Longitudinal::Q.index(), Longitudinal::Q.index(), true),
+            ],
+            Plane::Lateral => &[
+                ("N_β β", 2, Lateral::R.index(), Lateral::V.index(), false),
+                ("N_r r", 2, Lateral::R.index(), Lateral::R.index(), true),
+                ("L_β β", 0, Lateral::P.index(), Lateral::V.index(), false),
+                ("L_p p", 0, Lateral::P.index(), Lateral::P.index(), true),
+            ],
+        };
+        let size = |row: usize, column: usize, x: &Vector4<f64>| a[(row, column)] * x[column];
+        // Of one axis all are drawn to one scale, so that they can be compared.
+        let largest = |axis: usize| {
+            let of_axis = rows.iter().filter(|row| row.1 == axis);
+            let sizes = of_axis
+                .flat_map(|&(_, _, row, column, _)| states.iter().map(move |x| size(row, column, x).abs()));
+            sizes.fold(f64::MIN_POSITIVE, f64::max)
+        };
+        rows.iter()
+            .map(|&(symbol, axis, row, column, damps)| MomentArrow {
+                symbol,
+                axis,
+                size: size(row, column, &x) / largest(axis),
+                damps,
+            })
+            .collect()
+    }
+
+    fn at(&self, output: Output, t: f64) -> f64 {
+        if let Some(flight) = self.flight {
+            return output.of_flight_at(&self.motion.model, flight, t);
+        }
+        if output.plane() != self.motion.model.plane {
+            return 0.0;
+        }
+        let row = output.row(&self.motion.model, &self.motion.forced);
+        let (x, path) = self.state(t);
+        row.states.dot(&x) + row.path.dot(&path) + row.direct(&self.motion.forced, t)
+    }
+
+    /// State and path at a time, straight between the samples.
+    fn state(&self, t: f64) -> (Vector4<f64>, Vector2<f64>) {
+        let response = &self.motion.response;
+        let last = response.states.len().saturating_sub(1);
+        let position = if response.dt > 0.0 { (t / response.dt).clamp(0.0, last as f64) } else { 0.0 };
+        let (k, fraction) = (position as usize, position.fract());
+        let next = (k + 1).min(last);
+        let between = |a: f64, b: f64| a + fraction * (b - a);
+        (
+            response.states[k].zip_map(&response.states[next], between),
+            response.path[k].zip_map(&response.path[next], between),
+        )
+    }
+
+    fn deflections(&self, t: f64) -> [f64; 3] {
+        let experiment = self.scenario.experiment();
+        let of = |channel: Channel| -> f64 {
+            experiment.inputs.iter().filter(|(of, _)| *of == channel).map(|(_, input)| input.at(t)).sum()
+        };
+        match self.motion.model.plane {
+            Plane::Longitudinal => [of(Channel::First), 0.0, 0.0],
+            Plane::Lateral => {
+                // The source's sense of δa is told by what it does: L_δa > 0 rolls to the right.
+                let sense = self.motion.model.b[(Lateral::P.index(), 0)].signum();
+                [0.0, sense * of(Channel::First), of(Channel::Second)]
+            }
+        }
+    }
+
+    /// In trim L = W cos γ₀, D from C_D and T = D + W sin γ₀; disturbed, the lift follows the load factor, D ≈ D₀ (1 + 2u/V),
+    /// and the thrust stays, along the steady flight as the trim has it.
+    fn forces(&self, pose: &Pose, load_change: f64, u: f64) -> Option<[[f64; 3]; 4]> {
+        let Study::Coefficients(study) = &self.scenario.edited.study else { return None };
+        let derived = study.derive().ok()?;
+        let c = derived.coefficients.longitudinal;
+        let trim = &self.motion.model.trim;
+        let weight = derived.airframe.mass / study.reference.mass * trim.gravity / STANDARD_GRAVITY;
+        let (sin_climb, cos_climb) = trim.gamma0.sin_cos();
+        if !(c.cl > 0.0) {
+            return None;
+        }
+        let lift = weight * (cos_climb + load_change);
+        let steady_drag = weight * cos_climb * c.cd / c.cl;
+        let drag = steady_drag * (1.0 + 2.0 * u / trim.speed);
+        let thrust = steady_drag + weight * sin_climb;
+        let ((sin_a, cos_a), (sin_b, cos_b)) = (pose.alpha.sin_cos(), pose.beta.sin_cos());
+        let trim_alpha = trim.alpha0 + self.scenario.fuselage_incidence();
+        let [phi, theta, _] = pose.attitude;
+        let down = [-theta.sin(), theta.cos() * phi.sin(), theta.cos() * phi.cos()];
+        Some([
+            [lift * sin_a, 0.0, -lift * cos_a],
+            down.map(|x| weight * x),
+            [thrust * trim_alpha.cos(), 0.0, thrust * trim_alpha.sin()],
+            [-drag * cos_a * cos_b, -drag * sin_b, -drag * sin_a * cos_b],
+        ])
+    }
+}
+
+impl Scenario {
+    /// Angle of attack of the fuselage beyond the α₀ of the model's axes \[rad\]: of stability axes all of it.
+    fn fuselage_incidence(&self) -> f64 {
+        match &self.edited.study {
+            Study::Coefficients(study) => {
+                let change = study.derive().map_or(0.0, |derived| derived.flight.alpha_change);
+                study.reference.alpha0 + change
+            }
+            Study::Derivatives(_) | Study::Matrices(_) => 0.0,
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! The keys of the page, in one table: what they do is read from here, and so is the sheet that lists them.
+
+use egui::{Grid, Key, Modal, Modifiers, RichText, Ui};
+
+use super::theme::{self, Palette};
+
+/// A pane that can take the whole page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pane {
+    /// The pole map.
+    Poles,
+    /// The aircraft in flight.
+    Aircraft,
+    /// The responses.
+    Response,
+}
+
+/// What a key asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Go back one step.
+    Undo,
+    /// Go forward one step.
+    Redo,
+    /// Copy the scene as a link.
+    CopyLink,
+    /// Pin the state, or unpin it.
+    Pin,
+    /// Play the response, or pause.
+    Play,
+    /// A pane over the whole page, or back.
+    Maximise(Pane),
+    /// Whatever is over the page, away.
+    Restore,
+    /// The next look.
+    Look,
+    /// The sheet of keys.
+    Help,
+}
+
+struct Shortcut {
+    modifiers: Modifiers,
+    key: Key,
+    shown: &'static str,
+    command: Command,
+    text: &'static str,
+}
+
+const fn plain(key: Key, shown: &'static str, command: Command, text: &'static str) -> Shortcut {
+    Shortcut { modifiers: Modifiers::NONE, key, shown, command, text }
+}
+
+const fn control(key: Key, shown: &'static str, command: Command, text: &'static str) -> Shortcut {
+    Shortcut { modifiers: Modifiers::COMMAND, key, shown, command, text }
+}
+
+/// The longer combination of a key stands before the shorter.
+const SHORTCUTS: [Shortcut; 12] = [
+    Shortcut {
+        modifiers: Modifiers::COMMAND.plus(Modifiers::SHIFT),
+        key: Key::Z,
+        shown: "Ctrl Shift Z",
+        command: Command::Redo,
+        text: "Redo",
+    },
+    control(Key::Z, "Ctrl Z", Command::Undo, "Undo; a whole drag is one step"),
+    control(Key::Y, "Ctrl Y", Command::Redo, "Redo"),
+    plain(Key::Space, "Space", Command::Play, "Play or pause the aircraft"),
+    plain(Key::P, "P", Command::Maximise(Pane::Poles), "Pole map over the whole page, and back"),
+    plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Aircraft over the whole page, and back"),
+    plain(Key::R, "R", Command::Maximise(Pane::Response), "Response over the whole page, and back"),
+    plain(Key::Escape, "Esc", Command::Restore, "Everything back in its place"),
+    plain(Key::G, "G", Command::Pin, "Pin this state as a ghost, or unpin it"),
+    plain(Key::L, "L", Command::CopyLink, "Copy the whole scene as a link"),
+    plain(Key::T, "T", Command::Look, "Light, dark, projector"),
+    plain(Key::Questionmark, "?", Command::Help, "This sheet"),
+];
+
+/// Keys that a control takes for itself while it has focus.
+const OF_CONTROLS: [(&str, &str); 9] = [
+    ("Tab, Shift Tab", "To the next control, and the one before"),
+    ("← →", "On a slider: a fine step; with Shift ten times as far"),
+    ("Home, End", "On a slider: to its ends"),
+    ("Delete", "On a slider: back to its reference, as by double click"),
+    ("/", "Find a derivative"),
+    ("Enter", "In a field: take the number; Esc leaves it as it was"),
+    ("Arrow keys", "On a pole: move it; on the aircraft: turn the camera"),
+    ("+ −", "On the pole map and the aircraft: nearer, farther"),
+    ("Double click", "On the heading of a pane: over the whole page, and back"),
+];
+
+/// What the person's keys ask for; nothing while they type in a field.
+pub fn command(ui: &Ui) -> Option<Command> {
+    let typing = ui.text_edit_focused();
+    // Space presses what has focus.
+    let focused = ui.memory(|memory| memory.focused().is_some());
+    ui.input_mut(|input| {
+        SHORTCUTS.iter().find_map(|shortcut| {
+            let takes_text = shortcut.modifiers.is_none();
+            let taken = (typing && takes_text) || (focused && shortcut.key == Key::Space);
+            // “?” is on another key of every keyboard, mostly with Shift.
+            let pressed = if shortcut.key == Key::Questionmark {
+                !taken && input.key_pressed(Key::Questionmark)
+            } else {
+                !taken && input.consume_key(shortcut.modifiers, shortcut.key)
+            };
+            pressed.then_some(shortcut.command)
+        })
+    })
+}
+
+/// The sheet of all keys, over the page. Says whether it is still wanted.
+pub fn sheet_ui(ui: &Ui) -> bool {
+    let palette = Palette::of(ui);
+    let modal = Modal::new(egui::Id::unique("keys")).show(ui, |ui| {
+        ui.set_max_width(460.0);
+        theme::heading(ui, RichText::new("Keys").heading().size(16.0), 2);
+        let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
+        Grid::new("keys").spacing([18.0, 5.0]).show(ui, |ui| {
+            for (keys, text) in own.chain(OF_CONTROLS) {
+                ui.label(RichText::new(keys).font(theme::semibold(12.0)));
+                ui.label(text);
+                ui.end_row();
+            }
+        });
+        ui.add_space(4.0);
+        let note = "The scroll wheel never changes a number. On a Mac, Ctrl is the command key.";
+        ui.label(RichText::new(note).font(theme::small()).color(palette.weak));
+        ui.add_space(4.0);
+        ui.button("Close").clicked()
+    });
+    !(modal.inner || modal.should_close())
+}

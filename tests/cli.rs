@@ -1,0 +1,301 @@
+//! The command line as it is typed: its answers by snapshot, its complaints in one line each.
+//!
+//! Snapshots hold numbers to nine digits, on which platforms agree. `INSTA_UPDATE=always` writes them again.
+
+use std::io::{BufRead as _, BufReader};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use eigenwing::content::FILES;
+
+fn cli(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_eigenwing-cli"));
+    command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/matrices")).args(arguments);
+    command
+}
+
+fn run(arguments: &[&str]) -> Output {
+    cli(arguments).output().expect("the command line starts")
+}
+
+/// What an answer says, once it is one.
+fn answer(arguments: &[&str]) -> String {
+    let Output { status, stdout, stderr } = run(arguments);
+    assert_eq!(String::from_utf8_lossy(&stderr), "", "{arguments:?}");
+    assert!(status.success(), "{arguments:?}");
+    String::from_utf8(stdout).expect("an answer is a text")
+}
+
+/// The text with every number to nine digits, and rounding of zero as zero.
+fn rounded(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
+        let mut before = ' ';
+        let end = rest[start..].find(|c: char| {
+            let part = c.is_ascii_digit() || c == '.' || c == 'e' || (c == '-' && before == 'e');
+            before = c;
+            !part
+        });
+        let end = end.map_or(rest.len(), |end| start + end);
+        let token = &rest[start..end];
+        out += &rest[..start];
+        match token.parse::<f64>() {
+            Ok(x) if token.contains('.') || token.contains('e') => {
+                if x < 1e-12 {
+                    out = out.strip_suffix('-').unwrap_or(&out).to_owned();
+                    out += "0";
+                } else {
+                    let nine: f64 = format!("{x:.8e}").parse().expect("a number that was just written");
+                    out += &nine.to_string();
+                }
+            }
+            _ => out += token,
+        }
+        rest = &rest[end..];
+    }
+    out + rest
+}
+
+#[test]
+fn rounding_keeps_nine_digits_and_everything_else() {
+    assert_eq!(rounded("x -1.23456789012e-3, 17; 3.14"), "x -0.00123456789, 17; 3.14");
+    assert_eq!(rounded("[-1e-17, 0.30000000000000004]"), "[0, 0.3]");
+}
+
+#[test]
+fn every_aircraft_of_the_list_is_listed_and_can_be_analysed() {
+    let list = answer(&["list"]);
+    for (file, _) in FILES {
+        let key = file.strip_suffix(".toml").expect("an aircraft file");
+        assert!(list.contains(&format!("\n {key} ")), "{key}");
+        answer(&["analyse", key]);
+    }
+}
+
+#[test]
+fn analyse_as_a_table() {
+    insta::assert_snapshot!(answer(&["analyse", "navion", "--set", "cm_alpha=-0.5"]));
+}
+
+#[test]
+fn analyse_as_json() {
+    insta::assert_snapshot!(rounded(&answer(&["analyse", "b747-fc9", "--json"])));
+}
+
+#[test]
+fn analyse_as_csv() {
+    insta::assert_snapshot!(rounded(&answer(&["analyse", "c47", "--csv"])));
+}
+
+#[test]
+fn analyse_matlab_text_in_feet() {
+    insta::assert_snapshot!(rounded(&answer(&["analyse", "--matrix", "navion.m", "--csv"])));
+}
+
+#[test]
+fn analyse_csv_with_the_sideslip_angle() {
+    insta::assert_snapshot!(answer(&["analyse", "--matrix", "lateral.csv"]));
+}
+
+#[test]
+fn analyse_matrices_from_json() {
+    insta::assert_snapshot!(answer(&["analyse", "--matrix", "lesson.json"]));
+}
+
+#[test]
+fn an_aircraft_file_from_disk_is_analysed_as_the_one_that_ships() {
+    let from_disk = answer(&["analyse", "../../../assets/aircraft/navion.toml", "--json"]);
+    assert_eq!(from_disk, answer(&["analyse", "navion", "--json"]));
+}
+
+#[test]
+fn respond_as_a_table() {
+    insta::assert_snapshot!(answer(&["respond", "x15", "--set", "elevator=-0.02", "--set", "time=20"]));
+}
+
+#[test]
+fn respond_as_json() {
+    let arguments = ["respond", "navion", "--disturbance", "vertical-gust", "--steps", "6", "--json"];
+    insta::assert_snapshot!(rounded(&answer(&arguments)));
+}
+
+#[test]
+fn respond_as_csv() {
+    let arguments = [
+        "respond",
+        "navion",
+        "--disturbance",
+        "rudder",
+        "--shape",
+        "doublet",
+        "--set",
+        "time=6",
+        "--steps",
+        "12",
+        "--csv",
+    ];
+    insta::assert_snapshot!(rounded(&answer(&arguments)));
+}
+
+const SWEEP: [&str; 10] =
+    ["sweep", "navion", "--parameter", "cm_alpha", "--from", "-0.7", "--to", "0.3", "--points", "6"];
+
+#[test]
+fn sweep_as_a_table() {
+    insta::assert_snapshot!(answer(&SWEEP));
+}
+
+#[test]
+fn sweep_as_json() {
+    insta::assert_snapshot!(rounded(&answer(&[&SWEEP[..8], &["--points", "3", "--json"]].concat())));
+}
+
+#[test]
+fn sweep_as_csv() {
+    insta::assert_snapshot!(rounded(&answer(&[&SWEEP[..], &["--csv"]].concat())));
+}
+
+#[test]
+fn a_long_sweep_draws_no_bar_where_there_is_no_terminal() {
+    // `answer` sees to it that nothing else is printed.
+    let text = answer(&[&SWEEP[..8], &["--points", "501", "--csv"]].concat());
+    assert!(text.lines().count() > 1000);
+}
+
+#[test]
+fn a_sweep_through_flights_that_are_none_says_so_at_each_point() {
+    let arguments =
+        ["sweep", "navion", "--parameter", "speed", "--from", "20", "--to", "50", "--points", "4"];
+    insta::assert_snapshot!(answer(&arguments));
+}
+
+/// A file of a test's own; they run at the same time.
+fn file(name: &str, content: &[u8]) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, content).expect("a test may write in its folder");
+    path.to_str().expect("the folder's name is a text").to_owned()
+}
+
+#[test]
+fn bad_input_is_one_line_and_exit_code_1() {
+    let matlab = include_str!("data/matrices/navion.m");
+    let navion = FILES[0].1;
+    let cases: [(&[&str], &str); 22] = [
+        (&["analyse", "navoin"], "there is no aircraft \"navoin\" in the list; did you mean \"navion\"?"),
+        (&["analyse", "zzz"], "there is no aircraft \"zzz\" in the list"),
+        (
+            &["analyse", "navion", "--set", "cm_alhpa=1"],
+            "there is no parameter \"cm_alhpa\"; did you mean \"cm_alpha\"?",
+        ),
+        (
+            &["analyse", "lesson", "--set", "cm_alpha=1"],
+            "lesson has no parameter cm_alpha (pitch stiffness): its source has no numbers for it",
+        ),
+        (
+            &["analyse", "navion", "--set", "speed=25"],
+            "the wing would need C_L 1.89 at 25.0 m/s; this aircraft is taken to stall at 1.40",
+        ),
+        (&["analyse", "navion", "--set", "speed=NaN"], "speed: expected a finite number"),
+        (
+            &["respond", "navion", "--set", "elevator=3"],
+            "elevator: 3.000 rad is beyond what is accepted, −0.3500 to 0.3500 rad",
+        ),
+        (&["respond", "lesson", "--disturbance", "side-gust"], "lesson has no lateral data"),
+        (
+            &["respond", "navion", "--disturbance", "gale"],
+            "there is no disturbance \"gale\"; expected one of elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release, mode",
+        ),
+        (&["respond", "navion", "--steps", "0"], "steps: expected 1 to 100000, found 0"),
+        (
+            &["sweep", "navion", "--parameter", "cg", "--from", "0", "--to", "0"],
+            "a sweep from 0 to 0 goes nowhere",
+        ),
+        (
+            &["sweep", "navion", "--parameter", "cg", "--from", "0", "--to", "9"],
+            "cg: 9.000 is beyond what is accepted, −0.3000 to 0.4000",
+        ),
+        (
+            &["sweep", "navion", "--parameter", "cg", "--from", "0", "--to", "0.1", "--points", "1"],
+            "points: expected 2 to 100000, found 1",
+        ),
+        (
+            &["sweep", "navion", "--parameter", "cm_de", "--from", "-1", "--to", "0"],
+            "cm_de (elevator power) moves no mode: there is nothing to sweep",
+        ),
+        (&["analyse", "missing.toml"], "cannot read missing.toml: No such file or directory (os error 2)"),
+        (
+            &["analyse", "--matrix", "navion.txt"],
+            "navion.txt: expected a name that ends in .json, .csv or .m",
+        ),
+        (&["analyse", &file("bad.toml", navion.replace("cond", "= cond").as_bytes())], "bad.toml, line 4: "),
+        (
+            &["analyse", &file("empty.toml", b"")],
+            "empty.toml, line 1: key: missing; expected a text in quotes",
+        ),
+        (
+            &["analyse", "--matrix", &file("ragged.m", matlab.replace("176.0      0", "176.0").as_bytes())],
+            "ragged.m, line 7: A: expected 4 numbers in row 2, found 3",
+        ),
+        (
+            &["analyse", "--matrix", &file("nan.m", matlab.replace("-2.986", "NaN").as_bytes())],
+            "nan.m, line 8: A: expected plain numbers or quoted names, found \"NaN\"; nothing is computed here",
+        ),
+        (
+            &["analyse", "--matrix", &file("no-units.m", matlab.replace("units", "in").as_bytes())],
+            "no-units.m, line 1: units: missing; expected \"SI\" (metres) or \"ft-slug-s\" (feet)",
+        ),
+        (
+            &["analyse", "--matrix", &file("binary.m", &[b'A', b'=', 0xff, 0xfe])],
+            "binary.m is not a text: byte 2 is not UTF-8",
+        ),
+    ];
+    for (arguments, expected) in cases {
+        let Output { status, stdout, stderr } = run(arguments);
+        let said = String::from_utf8_lossy(&stderr).replace(concat!(env!("CARGO_TARGET_TMPDIR"), "/"), "");
+        assert!(said.starts_with(&format!("error: {expected}")), "{arguments:?}: {said}");
+        assert_eq!(said.matches('\n').count(), 1, "{said}");
+        assert!(expected.ends_with(": ") || said.len() == "error: \n".len() + expected.len(), "{said}");
+        assert_eq!((status.code(), stdout), (Some(1), Vec::new()), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_command_that_is_not_understood_is_one_line_and_exit_code_2() {
+    let cases: [(&[&str], &str); 5] = [
+        (&["fly"], "error: unrecognized subcommand 'fly'"),
+        (&["analyse"], "error: the following required arguments were not provided: <AIRCRAFT>"),
+        (
+            &["analyse", "navion", "--jsn"],
+            "error: unexpected argument '--jsn' found; a similar argument exists: '--json'",
+        ),
+        (
+            &["analyse", "navion", "--json", "--csv"],
+            "error: the argument '--json' cannot be used with '--csv'",
+        ),
+        (
+            &["analyse", "navion", "--set", "cm_alpha"],
+            "error: invalid value 'cm_alpha' for '--set <KEY=VALUE>': expected KEY=VALUE",
+        ),
+    ];
+    for (arguments, expected) in cases {
+        let Output { status, stdout, stderr } = run(arguments);
+        assert_eq!(String::from_utf8_lossy(&stderr), format!("{expected}\n"));
+        assert_eq!((status.code(), stdout), (Some(2), Vec::new()));
+    }
+}
+
+#[test]
+fn a_reader_that_stops_early_is_no_error() {
+    let mut command = cli(&["respond", "navion", "--steps", "20000", "--csv"]);
+    let mut child =
+        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command line starts");
+    let mut head = String::new();
+    // The reader is dropped after one line, and with it the pipe.
+    BufReader::new(child.stdout.take().expect("its output is piped"))
+        .read_line(&mut head)
+        .expect("there is a first line");
+    assert!(head.starts_with("time [s],elevator [rad],u [m/s]"), "{head}");
+    let Output { status, stderr, .. } = child.wait_with_output().expect("it ends");
+    assert_eq!((status.code(), stderr), (Some(0), Vec::new()));
+}

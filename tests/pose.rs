@@ -1,0 +1,143 @@
+//! The aircraft at one moment, against the motion that it is a moment of.
+
+use std::sync::Arc;
+
+use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::outputs::Output;
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::{Flown, Parameter, Scenario, Source};
+
+fn scenarios() -> impl Iterator<Item = Scenario> {
+    let (aircraft, _) = embedded_aircraft();
+    aircraft.into_iter().map(|aircraft| Scenario::new(Arc::new(aircraft)))
+}
+
+/// The four forces add up to nothing in steady flight, whatever its speed, its climb or the aircraft's weight.
+#[test]
+fn in_steady_flight_the_four_forces_are_in_balance() {
+    let mut balanced = 0;
+    for aircraft in scenarios() {
+        for (key, share) in [("speed", 1.0), ("speed", 1.1), ("mass", 1.05), ("climb", 0.0)] {
+            let mut scenario = aircraft.clone();
+            let Some(parameter) = Parameter::find(key).filter(|p| p.applies(&scenario)) else { continue };
+            parameter.set(&mut scenario, parameter.get(&aircraft) * share);
+            let Ok(analysis) = scenario.analyse() else { continue };
+            let motion = analysis.motion.as_ref().expect("a motion");
+            let flown = Flown { scenario: &scenario, motion, flight: None };
+            let Some(forces) = flown.pose(0.5, 1.0).forces else { continue };
+            for axis in 0..3 {
+                let sum: f64 = forces.iter().map(|force| force[axis]).sum();
+                assert!(sum.abs() < 1e-12, "{} {key}: {sum} along axis {axis}", aircraft.aircraft.key);
+            }
+            balanced += 1;
+        }
+    }
+    assert!(balanced >= 10, "{balanced}");
+}
+
+#[test]
+fn more_weight_needs_more_lift() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    let weight = |scenario: &Scenario| {
+        let analysis = scenario.analyse().expect("an analysis");
+        let motion = analysis.motion.as_ref().expect("a motion");
+        let flown = Flown { scenario, motion, flight: None };
+        let [lift, weight, ..] = flown.pose(0.5, 1.0).forces.expect("coefficients");
+        assert!((lift[2] + weight[2]).abs() < 0.02);
+        weight.iter().map(|x| x * x).sum::<f64>().sqrt()
+    };
+    let before = weight(&scenario);
+    let mass = Parameter::find("mass").expect("a knob");
+    let heavier = 1.1 * mass.get(&scenario);
+    mass.set(&mut scenario, heavier);
+    assert!((weight(&scenario) / before - 1.1).abs() < 1e-9);
+}
+
+#[test]
+fn before_the_disturbance_it_flies_on_as_trimmed() {
+    for scenario in scenarios() {
+        let analysis = scenario.analyse().expect("an analysis");
+        let motion = analysis.motion.as_ref().expect("a motion");
+        let pose = Flown { scenario: &scenario, motion, flight: None }.pose(0.9, 1.0);
+        for (place, level) in pose.position.into_iter().zip(pose.steady_position) {
+            assert!((place - level).abs() < 1e-9);
+        }
+        // θ = γ + α, of the fuselage as of the path.
+        assert!((pose.attitude[1] - motion.model.trim.gamma0 - pose.alpha).abs() < 1e-12);
+        assert_eq!((pose.beta, pose.deflections), (0.0, [0.0; 3]));
+    }
+}
+
+/// Linear or nonlinear, small enough, it is in the same place.
+#[test]
+fn the_nonlinear_flight_of_a_small_disturbance_is_seen_in_the_same_place() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    for plane in [Plane::Longitudinal, Plane::Lateral] {
+        scenario.plane = plane;
+        scenario.disturbance.sizes.times = 0.01;
+        scenario.disturbance.sizes.time = 10.0;
+        let analysis = scenario.analyse().expect("an analysis");
+        let analysed = analysis.of(plane).expect("data").as_ref().expect("modes");
+        let flight = scenario.fly(analysed).expect("a flight");
+        let motion = analysis.motion.as_ref().expect("a motion");
+        let linear = Flown { scenario: &scenario, motion, flight: None };
+        let nonlinear = Flown { flight: Some(&flight), ..linear };
+        for t in [0.0, 1.03, 3.333, 9.99] {
+            let (a, b) = (linear.pose(t, 1.0), nonlinear.pose(t, 1.0));
+            for (a, b) in
+                a.attitude.into_iter().chain(a.position).zip(b.attitude.into_iter().chain(b.position))
+            {
+                assert!((a - b).abs() < 2e-3, "{plane:?} at {t}: {a} and {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_mode_alone_is_exaggerated_by_the_stated_round_factor_and_nothing_else_is() {
+    for aircraft in scenarios() {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            let mut scenario = aircraft.clone();
+            scenario.plane = plane;
+            let usual = scenario.analyse().expect("an analysis");
+            if let Some(motion) = &usual.motion {
+                assert_eq!(Flown { scenario: &scenario, motion, flight: None }.exaggeration(), 1.0);
+            }
+            scenario.disturbance.choice_mut(plane).source = Source::OneMode;
+            scenario.disturbance.sizes.mode = 0.01;
+            let analysis = scenario.analyse().expect("an analysis");
+            let Some(motion) = &analysis.motion else { continue };
+            let flown = Flown { scenario: &scenario, motion, flight: None };
+            let factor = flown.exaggeration();
+            let output = if plane == Plane::Longitudinal { Output::AngleOfAttack } else { Output::Sideslip };
+            let [once, large] = [1.0, factor].map(|factor| {
+                let pose = flown.pose(0.3, factor);
+                if plane == Plane::Longitudinal { pose.alpha } else { pose.beta }
+            });
+            let trim = flown.pose(0.3, 0.0);
+            let trim = if plane == Plane::Longitudinal { trim.alpha } else { trim.beta };
+            assert!(((large - trim) - factor * (once - trim)).abs() < 1e-12, "{output:?}");
+            assert!(flown.moments(0.3).iter().all(|moment| moment.size.abs() <= 1.0));
+            assert_eq!(flown.moments(0.3).len(), if plane == Plane::Longitudinal { 2 } else { 4 });
+        }
+    }
+}
+
+/// What damps turns against its rate, what restores turns against its angle, in a stable aircraft.
+#[test]
+fn damping_moments_act_against_the_rates_they_damp() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    scenario.plane = Plane::Lateral;
+    scenario.disturbance.lateral.source = Source::OneMode;
+    let analysis = scenario.analyse().expect("an analysis");
+    let motion = analysis.motion.as_ref().expect("a motion");
+    let flown = Flown { scenario: &scenario, motion, flight: None };
+    for t in [0.1, 0.7, 1.3] {
+        let pose = flown.pose(t, 1.0);
+        for moment in flown.moments(t).iter().filter(|moment| moment.damps) {
+            assert!(moment.size * pose.rates[moment.axis] <= 0.0, "{} at {t}", moment.symbol);
+        }
+        let weathercock = flown.moments(t)[0].size;
+        assert!(weathercock * pose.beta >= 0.0, "the nose turns into the wind");
+    }
+}
