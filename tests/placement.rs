@@ -221,3 +221,21 @@ fn the_rows_come_by_strength_and_without_those_that_move_nothing() {
     assert!(keys.windows(2).all(|pair| strength(pair[0]) >= strength(pair[1])));
     assert!(!keys.contains(&"cm_de") && keys.contains(&"cm_alpha"), "{keys:?}");
 }
+
+/// Dragged towards the origin, the short period would part on the real axis; there the phugoid is near, which must not be
+/// taken for it.
+#[test]
+fn a_pair_that_would_part_on_the_way_stops_and_no_other_mode_takes_its_place() {
+    let scenario = navion(Plane::Longitudinal);
+    let short_period = mode(&scenario, ModeName::ShortPeriod);
+    for to in
+        [Complex::new(0.1, 0.01), Complex::new(-0.02, 0.2), Complex::new(0.0, 0.0), Complex::new(-6.0, 0.1)]
+    {
+        let placed = scenario.place_pole(&short_period, to, &["cm_alpha", "cm_q"]).expect("an answer");
+        assert!(placed.obstacle.is_some(), "{to}");
+        let now = mode(&placed.scenario, ModeName::ShortPeriod).lambda;
+        assert!((now - placed.lambda).norm() < 1e-9, "{to}: {now} {}", placed.lambda);
+        let phugoid = mode(&placed.scenario, ModeName::Phugoid);
+        assert!(phugoid.lambda.norm() < 0.5 * now.norm(), "{to}: {} {now}", phugoid.lambda);
+    }
+}

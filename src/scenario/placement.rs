@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::parameters::{Page, Parameter};
 use super::{RowSensitivity, Scenario};
 use crate::flight::eigen::eigenvalues;
-use crate::flight::inverse::{Adjustable, InverseError, Placement, place_pole};
+use crate::flight::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
 use crate::flight::modes::Mode;
 use crate::flight::naming::ModeName;
 use crate::flight::sensitivity::sensitivity;
@@ -14,11 +14,15 @@ use crate::flight::sensitivity::sensitivity;
 /// A derivative that moves |λ| by less than this fraction for a notable change of its own doesn't move the pole.
 const STILL: f64 = 1e-6;
 /// Nearer to the real axis than this fraction of |λ|, a pair is about to meet on it.
-const ON_AXIS: f64 = 0.03;
+const ON_AXIS: f64 = 0.2;
 /// Nearer to another real root than this fraction of the way that is left, the two are about to meet.
 const MEETING: f64 = 0.1;
 /// A value this fraction of its range from an end is at that end.
 const AT_END: f64 = 1e-6;
+
+/// Steps in which a pole is followed from where it was, and halvings of a way that it can't go to the end.
+const FOLLOWED: u32 = 24;
+const HALVINGS: u32 = 10;
 
 /// What became of the question.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,8 +126,8 @@ impl Scenario {
         };
         let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
         let with = |values: &[f64]| self.with_values(&chosen, &adjustables, values);
-        let model = |values: &[f64]| Some(with(values).edited.models().ok()?.of(self.plane)?.a);
-        let placement = place_pole(model, &adjustables, mode.lambda, wanted)?;
+        let model = &|values: &[f64]| Some(with(values).edited.models().ok()?.of(self.plane)?.a);
+        let placement = placed_by_the_same_pole(model, &adjustables, mode.lambda, wanted)?;
         let scenario = with(&placement.values);
         let obstacle = placement
             .out_of_reach
@@ -182,6 +186,65 @@ impl Scenario {
         let known: Vec<&'static str> = all.iter().copied().filter(|key| named.contains(key)).collect();
         if known.is_empty() { all.into_iter().take(2).collect() } else { known }
     }
+}
+
+/// The placement, if it is the pole at `from` that has come there. Where that pole would have to part or meet another on the way,
+/// and it is another one that the search has found, the farthest place towards `wanted` that it does come to.
+fn placed_by_the_same_pole(
+    model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    adjustables: &[Adjustable],
+    from: Complex<f64>,
+    wanted: Complex<f64>,
+) -> Result<Placement, InverseError> {
+    let place = |to: Complex<f64>| place_pole(model, adjustables, from, to);
+    let followed = |placement: &Placement| {
+        let end = follow(model, adjustables, &placement.values, from);
+        end.is_some_and(|end| (end - placement.lambda).norm() <= 1e-6 * placement.lambda.norm())
+    };
+    let whole = place(wanted)?;
+    if followed(&whole) {
+        return Ok(whole);
+    }
+    let (mut kept, mut reached, mut lost) = (place(from)?, 0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (reached + lost);
+        let tried = place(from + (wanted - from) * middle)?;
+        if followed(&tried) {
+            (kept, reached) = (tried, middle);
+        } else {
+            lost = middle;
+        }
+    }
+    // What is told is of the whole way.
+    Ok(Placement {
+        wanted: whole.wanted,
+        out_of_reach: whole.out_of_reach.or(Some(OutOfReach::Both)),
+        ..kept
+    })
+}
+
+/// Where the pole at `from` goes while the parameters go straight to `values`; `None` where it leaves or meets the real axis.
+fn follow(
+    model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    adjustables: &[Adjustable],
+    values: &[f64],
+    from: Complex<f64>,
+) -> Option<Complex<f64>> {
+    let mut here = from;
+    for k in 1..=FOLLOWED {
+        let t = f64::from(k) / f64::from(FOLLOWED);
+        let between: Vec<f64> =
+            adjustables.iter().zip(values).map(|(p, end)| p.value + t * (end - p.value)).collect();
+        let distance = |pole: &Complex<f64>| (pole - here).norm();
+        let poles = eigenvalues(&model(&between)?).ok()?;
+        let upper = poles.into_iter().filter(|pole| pole.im >= 0.0);
+        let next = upper.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        if (next.im > 0.0) != (from.im > 0.0) {
+            return None;
+        }
+        here = next;
+    }
+    Some(here)
 }
 
 /// What keeps the pole from the target; `None` if nothing worth a word does: it is there to four digits. `a` is the matrix with

@@ -7,7 +7,7 @@ use super::chart::{Chart, View};
 use super::drag::{Held, Outcome};
 use super::labels::Placement;
 use super::trail::Trail;
-use super::{Seen, boundaries, grid, marks};
+use super::{NARROW, Seen, boundaries, grid, marks};
 use crate::flight::level_boundaries::Boundary;
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::number::{fixed, significant};
@@ -90,7 +90,8 @@ impl Map<'_> {
     pub fn draw(&self, ui: &Ui, palette: &Palette, chart: &Chart, seen: &Seen<'_>, extras: Extras<'_>) {
         let rect = chart.rect;
         let caption = self.rect.min + Vec2::new(0.0, 0.5 * CAPTION - 1.0);
-        ui.painter().text(caption, Align2::LEFT_CENTER, self.name, theme::small(), palette.weak);
+        let name = self.name.split(',').next().filter(|_| rect.width() < NARROW).unwrap_or(self.name);
+        ui.painter().text(caption, Align2::LEFT_CENTER, name, theme::small(), palette.weak);
         let painter = ui.painter_at(rect);
         let home = || self.boundaries(extras.boundaries);
         grid::draw(&painter, chart, palette);

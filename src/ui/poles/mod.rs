@@ -54,6 +54,8 @@ use crate::number::significant;
 use crate::scenario::{Page, Parameter, Scenario};
 
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
+/// A narrower map has room for the first words of its name only, and for no zoom buttons: fingers pinch.
+const NARROW: f32 = 230.0;
 /// A press of a zoom button or key.
 const ZOOM_STEP: f64 = 1.5;
 /// Fine steps of an arrow key over the height of a map; with Shift ten times as much.
@@ -396,10 +398,11 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
                 ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
             response.on_hover_text(does).clicked()
         };
-        if pressed("+", "Zoom in") {
+        let roomy = map.rect.width() >= NARROW;
+        if roomy && pressed("+", "Zoom in") {
             range.zoom(chart, ZOOM_STEP, middle);
         }
-        if pressed("−", "Zoom out") {
+        if roomy && pressed("−", "Zoom out") {
             range.zoom(chart, 1.0 / ZOOM_STEP, middle);
         }
         if !range.is_fitted() && pressed("Fit", "Show all again") {

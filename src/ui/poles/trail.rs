@@ -11,6 +11,8 @@ use crate::ui::theme::Palette;
 
 /// Samples kept; of a longer way every second one is dropped.
 const MOST: usize = 160;
+/// A pole that has moved by less than this in a frame may be the same by another name \[points\].
+const NEAR: f64 = 30.0;
 /// A way shorter than this is none \[points\].
 const SHORTEST: f32 = 4.0;
 
@@ -64,7 +66,7 @@ impl Trail {
         for (k, pair) in self.samples.windows(2).enumerate() {
             let strength = 0.1 + 0.55 * (k + 1) as f32 / ways as f32;
             for (name, here) in &pair[1] {
-                let Some(there) = nearest(&pair[0], *here) else { continue };
+                let Some(there) = before(&pair[0], *name, *here, NEAR * chart.per_point()) else { continue };
                 let stroke = Stroke::new(2.0, palette.mode(*name).gamma_multiply(strength));
                 for side in [|z: Complex<f64>| z, |z: Complex<f64>| z.conj()] {
                     for part in chart.clipped([side(there), side(*here)]) {
@@ -76,7 +78,7 @@ impl Trail {
         painter.extend(shapes);
         let (Some(first), Some(last)) = (self.samples.first(), self.samples.last()) else { return };
         for (name, from) in first {
-            let here = nearest(last, *from).unwrap_or(*from);
+            let here = before(last, *name, *from, f64::INFINITY).unwrap_or(*from);
             if chart.position(*from).distance(chart.position(here)) > SHORTEST {
                 let color = palette.mode(*name).gamma_multiply(0.45);
                 marks::both(*from, |pole| marks::cross(painter, chart.position(pole), 4.0, 1.5, color));
@@ -85,7 +87,10 @@ impl Trail {
     }
 }
 
-fn nearest(poles: &Poles, to: Complex<f64>) -> Option<Complex<f64>> {
-    let distance = |pole: &Complex<f64>| (pole - to).norm();
-    poles.iter().map(|(_, pole)| *pole).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+/// Where a pole was: that of the same name, or one that is so near that it has only been given another name.
+fn before(poles: &Poles, name: ModeName, here: Complex<f64>, near: f64) -> Option<Complex<f64>> {
+    let same = poles.iter().find(|(other, _)| *other == name).map(|(_, pole)| *pole);
+    let distance = |pole: &Complex<f64>| (pole - here).norm();
+    let nearest = || poles.iter().map(|(_, pole)| *pole).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    same.or_else(|| nearest().filter(|pole| distance(pole) <= near))
 }
