@@ -12,6 +12,7 @@
 //! |---|---|---|
 //! | [`number`] | numbers as a person reads them | everything |
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
+//! | [`shape`] | what an aircraft looks like: faces lofted from its geometry, in the order to draw them | files, colours, screens |
 //! | [`content`] | the aircraft that ship with the page, read and checked once; files from elsewhere, as text | egui, web |
 //! | [`scenario`] | what is being studied, and the one table of adjustable quantities | egui, web |
 //! | [`export`] | what other programs ask and read, as JSON | egui |
@@ -26,6 +27,7 @@ pub mod export;
 pub mod flight;
 pub mod number;
 pub mod scenario;
+pub mod shape;
 #[cfg(feature = "ui")]
 pub mod ui;
 #[cfg(all(feature = "app", target_arch = "wasm32"))]

@@ -15,6 +15,8 @@ pub struct Aircraft {
     pub name: String,
     /// Flight condition in words.
     pub condition: String,
+    /// Name of its shape, for [`embedded_shape`](super::shapes::embedded_shape).
+    pub shape: &'static str,
     /// Unit of length in which its numbers are shown.
     pub length_unit: LengthUnit,
     /// Whether the modes of every plane were checked against published ones.

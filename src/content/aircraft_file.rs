@@ -6,6 +6,7 @@ use super::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
 use super::airframe_file::{coefficient_study, derivative_study};
 use super::published::read_published;
 use super::reader::{Block, ContentError};
+use super::shapes::{SHAPES, USUAL_SHAPE};
 use super::units::UnitSystem;
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::flight::mil_f_8785c::{Category, Class};
@@ -31,6 +32,7 @@ pub(super) fn read(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
 
 fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let (key, name, condition) = (read_key(file)?, file.text("name")?, file.text("condition")?);
+    let shape = read_shape(file)?;
     let basis = file.choice("basis", &BASES)?;
     let units = file.choice("units", &UnitSystem::NAMES)?;
     file.choice("angles", &[("rad", ())])?;
@@ -64,6 +66,7 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         key,
         name,
         condition,
+        shape,
         length_unit: LengthUnit::Metre,
         status: if verified { Status::Verified } else { Status::Unverified },
         status_reason: joined(planes().map(|plane| plane.status_reason.as_str())),
@@ -95,6 +98,11 @@ fn read_key(file: &mut Block<'_>) -> Result<String, ContentError> {
     }
 }
 
+/// The shape that it is drawn with, one of those that ship; a light trainer where the file names none.
+fn read_shape(file: &mut Block<'_>) -> Result<&'static str, ContentError> {
+    Ok(file.optional_choice("shape", &SHAPES.map(|(key, _)| (key, key)))?.unwrap_or(USUAL_SHAPE))
+}
+
 fn read_notes(block: &mut Block<'_>, file_source: &str) -> Result<PlaneNotes, ContentError> {
     let notes = PlaneNotes {
         status: block.choice("status", &Status::NAMES)?,
@@ -112,6 +120,7 @@ fn read_notes(block: &mut Block<'_>, file_source: &str) -> Result<PlaneNotes, Co
 fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let length_unit = file.choice("length_unit", &LengthUnit::NAMES)?;
     let (key, name, condition) = (read_key(file)?, file.text("name")?, file.text("condition")?);
+    let shape = read_shape(file)?;
     let (status, status_reason) = (file.choice("status", &Status::NAMES)?, file.text("status_reason")?);
     let source = file.text("source")?;
     let mut block = file.block("longitudinal")?;
@@ -140,6 +149,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         key,
         name,
         condition,
+        shape,
         length_unit,
         status,
         longitudinal_notes: PlaneNotes {

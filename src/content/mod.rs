@@ -7,6 +7,8 @@ mod airframe_file;
 mod matrix;
 mod published;
 mod reader;
+mod shape_file;
+pub mod shapes;
 mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};

@@ -202,10 +202,20 @@ impl<'t> Block<'t> {
     /// Four rows of four finite numbers.
     pub fn matrix(&mut self, key: &'t str) -> Result<[[f64; 4]; 4], ContentError> {
         let expected = "four rows of four numbers";
-        let value = self.ask(key).ok_or_else(|| self.missing(key, expected))?;
+        let rows = self.optional_rows(key, expected)?.ok_or_else(|| self.missing(key, expected))?;
+        let found = rows.len();
+        rows.try_into().map_err(|_| self.error(key, format_args!("expected {expected}, found {found} rows")))
+    }
+
+    /// Rows of N finite numbers, if the key is there; `expected` says so in words.
+    pub fn optional_rows<const N: usize>(
+        &mut self,
+        key: &'t str,
+        expected: &str,
+    ) -> Result<Option<Vec<[f64; N]>>, ContentError> {
+        let Some(value) = self.ask(key) else { return Ok(None) };
         let rows = value.as_array().ok_or_else(|| self.wrong(key, expected, value))?;
-        let rows: Vec<[f64; 4]> = rows
-            .iter()
+        rows.iter()
             .map(|row| {
                 let list = self.list(key, row.get_ref())?;
                 let found = list.len();
@@ -213,9 +223,8 @@ impl<'t> Block<'t> {
                     self.error(key, format_args!("expected {expected}, found a row of {found} numbers"))
                 })
             })
-            .collect::<Result<_, _>>()?;
-        let found = rows.len();
-        rows.try_into().map_err(|_| self.error(key, format_args!("expected {expected}, found {found} rows")))
+            .collect::<Result<_, _>>()
+            .map(Some)
     }
 
     /// A table inside, if the key is there.

@@ -1,10 +1,13 @@
 //! What is on screen: one file for each thing. Views read an [`Analysis`](crate::flight::Analysis) and never
 //! compute one; controls edit the [`Scenario`](crate::scenario::Scenario) and nothing else.
 
+pub mod aircraft;
 mod app;
 mod axis_range;
 mod derivatives;
+mod flight_pane;
 mod fonts;
+mod keys;
 mod memo;
 mod mode_cards;
 mod number_field;

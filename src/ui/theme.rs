@@ -14,6 +14,7 @@ use egui_plot::Plot;
 use super::fonts;
 use crate::flight::modes::DynamicStability;
 use crate::flight::naming::ModeName;
+use crate::shape::{Finish, Material};
 
 /// Height of a control that a finger may have to hit \[points\].
 pub const TOUCH_HEIGHT: f32 = 44.0;
@@ -61,6 +62,34 @@ pub struct Palette {
     pub warning: Color32,
     /// A warning, as ground.
     pub warning_ground: Color32,
+    /// The sky high up, and above the horizon.
+    pub sky: [Color32; 2],
+    /// The ground near the viewer, and below the horizon.
+    pub ground: [Color32; 2],
+    /// A field on the ground, and the lines between fields.
+    pub field_on_ground: Color32,
+    /// Lines between fields.
+    pub line_on_ground: Color32,
+    /// Forces: lift, weight, thrust, drag.
+    pub forces: [Color32; 4],
+    /// Axes x, y, z of the body.
+    pub axes: [Color32; 3],
+    /// Axes of the Earth, and angles from them.
+    pub earth_axes: Color32,
+    /// Velocity, and the angles of the flow.
+    pub velocity: Color32,
+    /// The path flown.
+    pub path: Color32,
+    /// Paint: white, metal, black, drab.
+    finishes: [Color32; 4],
+    /// A stripe on the paint.
+    stripe: Color32,
+    /// What moves to steer.
+    control: Color32,
+    glass: Color32,
+    engine: Color32,
+    tyre: Color32,
+    propeller_disc: Color32,
     short_period: Color32,
     short_period_slow: Color32,
     phugoid: Color32,
@@ -94,6 +123,36 @@ const LIGHT: Palette = Palette {
     bad_ground: Color32::from_rgb(0xfd, 0xe9, 0xe2),
     warning: Color32::from_rgb(0x7a, 0x4d, 0x00),
     warning_ground: Color32::from_rgb(0xff, 0xf3, 0xd9),
+    sky: [Color32::from_rgb(0x8f, 0xbd, 0xe6), Color32::from_rgb(0xe9, 0xf2, 0xf8)],
+    ground: [Color32::from_rgb(0xb9, 0xc9, 0xa4), Color32::from_rgb(0xdd, 0xe6, 0xdd)],
+    field_on_ground: Color32::from_rgb(0x9f, 0xb6, 0x88),
+    line_on_ground: Color32::from_rgb(0x8b, 0xa0, 0x7c),
+    forces: [
+        Color32::from_rgb(0x00, 0x72, 0xb2),
+        Color32::from_rgb(0x22, 0x30, 0x3c),
+        Color32::from_rgb(0x00, 0x8a, 0x65),
+        Color32::from_rgb(0xd5, 0x5e, 0x00),
+    ],
+    axes: [
+        Color32::from_rgb(0xb8, 0x32, 0x2a),
+        Color32::from_rgb(0x1f, 0x7a, 0x3d),
+        Color32::from_rgb(0x2a, 0x4f, 0xb8),
+    ],
+    earth_axes: Color32::from_rgb(0x3c, 0x4a, 0x58),
+    velocity: Color32::from_rgb(0x8a, 0x2f, 0x78),
+    path: Color32::from_rgb(0xd8, 0x7a, 0x1e),
+    finishes: [
+        Color32::from_rgb(0xfa, 0xfb, 0xfc),
+        Color32::from_rgb(0xd3, 0xda, 0xe1),
+        Color32::from_rgb(0x4a, 0x50, 0x59),
+        Color32::from_rgb(0xa3, 0x9c, 0x72),
+    ],
+    stripe: Color32::from_rgb(0x2c, 0x62, 0xa0),
+    control: Color32::from_rgb(0xf2, 0xa6, 0x3b),
+    glass: Color32::from_rgb(0x5d, 0x86, 0xa8),
+    engine: Color32::from_rgb(0x9a, 0xa3, 0xac),
+    tyre: Color32::from_rgb(0x3a, 0x40, 0x48),
+    propeller_disc: Color32::from_rgba_premultiplied(0x18, 0x1c, 0x20, 0x30),
     short_period: Color32::from_rgb(0x00, 0x72, 0xb2),
     short_period_slow: Color32::from_rgb(0x2f, 0x8f, 0xcb),
     phugoid: Color32::from_rgb(0xd5, 0x5e, 0x00),
@@ -127,6 +186,36 @@ const DARK: Palette = Palette {
     bad_ground: Color32::from_rgb(0x40, 0x1f, 0x18),
     warning: Color32::from_rgb(0xf5, 0xc8, 0x6a),
     warning_ground: Color32::from_rgb(0x37, 0x2b, 0x12),
+    sky: [Color32::from_rgb(0x14, 0x22, 0x3a), Color32::from_rgb(0x3a, 0x50, 0x68)],
+    ground: [Color32::from_rgb(0x1d, 0x2b, 0x24), Color32::from_rgb(0x33, 0x44, 0x4c)],
+    field_on_ground: Color32::from_rgb(0x27, 0x3b, 0x2c),
+    line_on_ground: Color32::from_rgb(0x4a, 0x62, 0x55),
+    forces: [
+        Color32::from_rgb(0x56, 0xb4, 0xe9),
+        Color32::from_rgb(0xe8, 0xee, 0xf4),
+        Color32::from_rgb(0x2f, 0xc9, 0x9a),
+        Color32::from_rgb(0xff, 0x8b, 0x3d),
+    ],
+    axes: [
+        Color32::from_rgb(0xff, 0x8a, 0x80),
+        Color32::from_rgb(0x7f, 0xd8, 0x96),
+        Color32::from_rgb(0x9d, 0xb8, 0xff),
+    ],
+    earth_axes: Color32::from_rgb(0xc4, 0xd0, 0xdc),
+    velocity: Color32::from_rgb(0xe3, 0x8f, 0xd2),
+    path: Color32::from_rgb(0xf5, 0xb0, 0x5a),
+    finishes: [
+        Color32::from_rgb(0xdd, 0xe3, 0xea),
+        Color32::from_rgb(0xae, 0xb8, 0xc3),
+        Color32::from_rgb(0x66, 0x70, 0x7e),
+        Color32::from_rgb(0x8e, 0x8a, 0x66),
+    ],
+    stripe: Color32::from_rgb(0x3f, 0x7c, 0xc0),
+    control: Color32::from_rgb(0xe6, 0x9a, 0x35),
+    glass: Color32::from_rgb(0x4c, 0x76, 0x9c),
+    engine: Color32::from_rgb(0x80, 0x8a, 0x94),
+    tyre: Color32::from_rgb(0x43, 0x4b, 0x54),
+    propeller_disc: Color32::from_rgba_premultiplied(0x28, 0x2c, 0x30, 0x30),
     short_period: Color32::from_rgb(0x56, 0xb4, 0xe9),
     short_period_slow: Color32::from_rgb(0x8c, 0xcd, 0xf2),
     phugoid: Color32::from_rgb(0xff, 0x8b, 0x3d),
@@ -171,6 +260,7 @@ const PROJECTOR: Palette = Palette {
     dutch_roll_slow: Color32::from_rgb(0xb0, 0x4a, 0x84),
     roll: Color32::from_rgb(0x00, 0x6e, 0x50),
     spiral: Color32::from_rgb(0x94, 0x60, 0x00),
+    ..LIGHT
 };
 
 /// How the page looks.
@@ -266,6 +356,19 @@ impl Palette {
             ModeName::DutchRollLessStableRoot => self.dutch_roll_slow,
             ModeName::RollSubsidence => self.roll,
             ModeName::Spiral => self.spiral,
+        }
+    }
+
+    /// The colour of an aircraft's faces in full light.
+    pub const fn airframe(&self, finish: Finish, material: Material) -> Color32 {
+        match material {
+            Material::Skin => self.finishes[finish as usize],
+            Material::Stripe => self.stripe,
+            Material::Control => self.control,
+            Material::Glass => self.glass,
+            Material::Metal => self.engine,
+            Material::Dark => self.tyre,
+            Material::Disc => self.propeller_disc,
         }
     }
 

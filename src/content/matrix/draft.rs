@@ -1,5 +1,6 @@
 //! What a file of matrices says, whatever its form, and the aircraft that follows.
 
+use crate::content::shapes::USUAL_SHAPE;
 use nalgebra::{Matrix4, Matrix4x2};
 
 use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
@@ -337,6 +338,7 @@ fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> A
         key: "file".to_owned(),
         name: name.to_owned(),
         condition: "Bare matrices".to_owned(),
+        shape: USUAL_SHAPE,
         length_unit: LengthUnit::Metre,
         status: Status::Unverified,
         source: file.to_owned(),

@@ -1,0 +1,347 @@
+//! What is drawn over the aircraft: axes, angles, rates, forces, the flow, moments, and the path behind it.
+
+use egui::{Color32, Mesh, Painter, Pos2, Rect, Vec2};
+use nalgebra::Rotation3;
+
+use super::arrows::{Pen, Tip, arc, plain, straight};
+use super::camera::Lens;
+use super::labels::Labels;
+use super::landscape::stroke;
+use super::picture::{Axis, Picture, degrees, finite, point};
+use crate::shape::Point;
+use crate::ui::theme::Palette;
+
+// In lengths of the nose, from the centre of gravity.
+const X_AXIS: f32 = 1.14;
+const VELOCITY: f32 = 1.27;
+const ANGLE_ARC: f32 = 1.04;
+const FLOW_ARC: f32 = 1.2;
+// In radii of the aircraft.
+const Y_AXIS: f32 = 0.72;
+const Z_AXIS: f32 = 0.5;
+const EARTH_AXIS: f32 = 0.62;
+const WEIGHT: f32 = 0.75;
+const RATE_ARC: f32 = 0.2;
+const MOMENT_ARC: f32 = 0.42;
+const MOMENT_STEP: f32 = 0.12;
+
+/// A smaller angle has no arc \[rad\].
+const SMALLEST_ANGLE: f64 = 0.002;
+/// A rate of this size \[rad/s\] has an arrow of half a turn.
+const RATE_OF_HALF_A_TURN: f64 = 0.5;
+/// A moment of size 1 has an arrow of this angle \[rad\].
+const FULL_MOMENT: f32 = 1.9;
+
+/// Which of them are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Overlays {
+    /// Axes of the body x, y, z.
+    pub body_axes: bool,
+    /// Axes of the Earth: north as flown, east, down.
+    pub earth_axes: bool,
+    /// Roll, pitch and yaw φ, θ, ψ.
+    pub angles: bool,
+    /// Angular rates p, q, r.
+    pub rates: bool,
+    /// Lift, weight, thrust, drag.
+    pub forces: bool,
+    /// Velocity, angle of attack and sideslip.
+    pub flow: bool,
+    /// The path flown.
+    pub path: bool,
+    /// The moments that push and damp.
+    pub moments: bool,
+}
+
+impl Default for Overlays {
+    fn default() -> Self {
+        Self {
+            body_axes: true,
+            earth_axes: false,
+            angles: true,
+            rates: false,
+            forces: false,
+            flow: true,
+            path: true,
+            moments: true,
+        }
+    }
+}
+
+impl Overlays {
+    /// Each with its words, for boxes to tick.
+    pub fn boxes(&mut self) -> [(&'static str, &mut bool); 8] {
+        [
+            ("Body axes", &mut self.body_axes),
+            ("Earth axes", &mut self.earth_axes),
+            ("Roll, pitch and yaw", &mut self.angles),
+            ("Angular rates", &mut self.rates),
+            ("Forces", &mut self.forces),
+            ("Velocity, α and β", &mut self.flow),
+            ("Path flown", &mut self.path),
+            ("Moments", &mut self.moments),
+        ]
+    }
+}
+
+/// All that overlays are drawn with.
+pub(super) struct Easel<'a> {
+    pub painter: &'a Painter,
+    pub pane: Rect,
+    pub lens: Lens,
+    pub picture: &'a Picture<'a>,
+    pub rotation: Rotation3<f32>,
+    pub palette: &'static Palette,
+    pub labels: Labels,
+}
+
+impl Easel<'_> {
+    fn radius(&self) -> f32 {
+        self.picture.model.radius()
+    }
+
+    /// From the centre of gravity to the nose \[m\], or what looks well where that is short.
+    fn nose(&self) -> f32 {
+        self.picture.model.bounds().1.x.max(0.6 * self.radius())
+    }
+
+    /// Lengths of the body axes as drawn \[m\].
+    fn axis_length(&self, axis: Axis) -> f32 {
+        match axis {
+            Axis::X => X_AXIS * self.nose(),
+            Axis::Y => Y_AXIS * self.radius(),
+            Axis::Z => Z_AXIS * self.radius(),
+        }
+    }
+
+    fn pen(&self, color: Color32, width: f32) -> Pen {
+        Pen { color, width, halo: self.palette.pane.gamma_multiply(0.55), is_dashed: false }
+    }
+
+    fn name(&mut self, tip: Option<Tip>, symbol: &str, words: &str, color: Color32) {
+        if let Some(Tip { at, towards }) = tip {
+            self.labels.add(symbol, words, color, at, towards);
+        }
+    }
+
+    /// An arrow from the centre of gravity, in Earth axes.
+    fn arrow(&mut self, along: Point, (color, width): (Color32, f32), (symbol, words): (&str, &str)) {
+        let pen = self.pen(color, width);
+        let tip = straight(self.painter, &self.lens, pen, Point::zeros(), along);
+        self.name(tip, symbol, words, color);
+    }
+
+    /// An arc with its value.
+    fn angle(&mut self, frame: (Point, Point, Point), angle: f64, symbol: &str, color: Color32) {
+        if angle.abs() < SMALLEST_ANGLE {
+            return;
+        }
+        let pen = self.pen(color, 1.6);
+        let tip = arc(self.painter, &self.lens, pen, frame, finite(angle));
+        self.name(tip, symbol, &degrees(angle), color);
+    }
+
+    /// Everything that is chosen.
+    pub fn draw(&mut self, overlays: &Overlays) {
+        if overlays.earth_axes {
+            self.earth_axes();
+        }
+        if overlays.angles {
+            self.angles();
+        }
+        if overlays.body_axes {
+            self.body_axes();
+        }
+        if overlays.flow {
+            self.flow();
+        }
+        if overlays.forces {
+            self.forces();
+        }
+        if overlays.rates {
+            self.rates();
+        }
+        if overlays.moments {
+            self.moments();
+        }
+    }
+
+    fn body_axes(&mut self) {
+        let axes = [(Axis::X, "x"), (Axis::Y, "y"), (Axis::Z, "z")];
+        for ((axis, symbol), color) in axes.into_iter().zip(self.palette.axes) {
+            let (along, ..) = self.frame(axis);
+            self.arrow(along * self.axis_length(axis), (color, 1.8), (symbol, ""));
+        }
+    }
+
+    fn earth_axes(&mut self) {
+        let color = self.palette.earth_axes;
+        let length = EARTH_AXIS * self.radius();
+        let axes = [Point::x(), Point::y(), Point::z()];
+        for (axis, symbol) in axes.iter().zip(["x_E", "y_E", "z_E"]) {
+            self.arrow(axis * length, (color, 1.4), (symbol, ""));
+        }
+    }
+
+    /// ψ in the level plane, θ in the upright one, φ about the body's x: each in the plane in which it turns.
+    fn angles(&mut self) {
+        let attitude = self.picture.attitude;
+        let color = self.palette.earth_axes;
+        let r = ANGLE_ARC * self.nose();
+        let (sin, cos) = finite(attitude.psi).sin_cos();
+        let (north, east) = (Point::x(), Point::y());
+        let (heading, side) = (north * cos + east * sin, east * cos - north * sin);
+        let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
+        if attitude.psi.abs() >= SMALLEST_ANGLE {
+            plain(self.painter, &self.lens, dashed, Point::zeros(), north * r);
+            self.angle((Point::zeros(), north * r, east * r), attitude.psi, "ψ", color);
+        }
+        if attitude.theta.abs() >= SMALLEST_ANGLE {
+            plain(self.painter, &self.lens, dashed, Point::zeros(), heading * r);
+            self.angle((Point::zeros(), heading * r, -Point::z() * r), attitude.theta, "θ", color);
+        }
+        if attitude.phi.abs() >= SMALLEST_ANGLE {
+            // Level to the right, and what stands below it, across the body's x axis.
+            let below = (self.rotation * Point::x()).cross(&side);
+            plain(self.painter, &self.lens, dashed, Point::zeros(), side * r);
+            self.angle((Point::zeros(), side * r, below * r), attitude.phi, "φ", color);
+        }
+    }
+
+    /// V, its projection into the plane of symmetry, α from the x axis to that and β from that to V.
+    fn flow(&mut self) {
+        let Picture { alpha, beta, .. } = *self.picture;
+        let color = self.palette.velocity;
+        let r = VELOCITY * self.nose();
+        // V = (cos α cos β, sin β, sin α cos β)
+        let (sin, cos) = finite(alpha).sin_cos();
+        let in_plane = self.rotation * Point::new(cos, 0.0, sin);
+        let (x, z) = (self.rotation * Point::x(), self.rotation * Point::z());
+        let y = self.rotation * Point::y();
+        let (sin, cos) = finite(beta).sin_cos();
+        let velocity = in_plane * cos + y * sin;
+        self.arrow(velocity * r, (color, 2.4), ("V", ""));
+        let arc = FLOW_ARC * self.nose();
+        self.angle((Point::zeros(), x * arc, z * arc), alpha, "α", color);
+        if beta.abs() >= SMALLEST_ANGLE {
+            let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
+            plain(self.painter, &self.lens, dashed, Point::zeros(), in_plane * arc);
+            self.angle((Point::zeros(), in_plane * arc, y * arc), beta, "β", color);
+        }
+    }
+
+    fn forces(&mut self) {
+        let Some(forces) = self.picture.forces else { return };
+        let all = [forces.lift, forces.weight, forces.thrust, forces.drag];
+        let names = [("L", "lift"), ("W", "weight"), ("T", "thrust"), ("D", "drag")];
+        let unit = WEIGHT * self.radius();
+        for ((force, name), color) in all.into_iter().zip(names).zip(self.palette.forces) {
+            let along = self.rotation * point(force) * unit;
+            if along.norm() > 0.01 * unit {
+                self.arrow(along, (color, 3.4), name);
+            }
+        }
+    }
+
+    fn rates(&mut self) {
+        for (axis, symbol, color) in [
+            (Axis::X, "p", self.palette.axes[0]),
+            (Axis::Y, "q", self.palette.axes[1]),
+            (Axis::Z, "r", self.palette.axes[2]),
+        ] {
+            let rate = self.picture.rates[axis as usize];
+            if rate.abs() < 0.01 * RATE_OF_HALF_A_TURN {
+                continue;
+            }
+            let turn = (rate / RATE_OF_HALF_A_TURN).clamp(-1.8, 1.8) * std::f64::consts::PI;
+            let (along, from, to) = self.frame(axis);
+            let r = RATE_ARC * self.radius();
+            let length = self.axis_length(axis);
+            let pen = self.pen(color, 2.2);
+            let frame = (along * (0.85 * length), from * r, to * r);
+            let tip = arc(self.painter, &self.lens, pen, frame, finite(turn));
+            self.name(tip, symbol, &format!("{}/s", degrees(rate)), color);
+        }
+    }
+
+    /// Around one axis on rings of their own, so that what pushes and what damps can be compared.
+    fn moments(&mut self) {
+        let mut used = [0.0; 3];
+        for moment in self.picture.moments {
+            let size = finite(moment.size).clamp(-1.0, 1.0);
+            let ring = &mut used[moment.axis as usize];
+            let r = (MOMENT_ARC + *ring * MOMENT_STEP) * self.radius();
+            *ring += 1.0;
+            if size.abs() < 0.01 {
+                continue;
+            }
+            let (_, from, to) = self.frame(moment.axis);
+            let pen = self.pen(moment.color, 3.4);
+            let tip =
+                arc(self.painter, &self.lens, pen, (Point::zeros(), from * r, to * r), FULL_MOMENT * size);
+            self.name(tip, moment.symbol, "", moment.color);
+        }
+    }
+
+    /// A body axis in Earth axes, where turning about it begins, and where that goes to.
+    fn frame(&self, axis: Axis) -> (Point, Point, Point) {
+        let [x, y, z] = [Point::x(), Point::y(), Point::z()].map(|axis| self.rotation * axis);
+        match axis {
+            // Right-handed: y to z, −z … x to −z, x to y.
+            Axis::X => (x, y, z),
+            Axis::Y => (y, x, -z),
+            Axis::Z => (z, x, y),
+        }
+    }
+
+    /// The path as a ribbon, its parts beyond the aircraft and those on this side of it.
+    pub fn path(&self) -> (Mesh, Mesh) {
+        let (mut beyond, mut before) = (Mesh::default(), Mesh::default());
+        let points: Vec<Point> = self.picture.path.iter().map(|p| self.picture.seen_from_here(*p)).collect();
+        let count = points.len().max(2) as f32;
+        // It comes out from behind the tail.
+        let tail = -self.picture.model.bounds().0.x;
+        let depth = self.lens.seen(&Point::zeros()).z;
+        let color = self.palette.path;
+        // As wide as a hand's breadth of the wing, but never a hair nor a road.
+        let width = |p: &Point| (0.012 * self.radius() * self.lens.scale_at(p)).clamp(0.6, 3.0);
+        for (k, pair) in points.windows(2).enumerate() {
+            let [a, b] = [pair[0], pair[1]];
+            if b.norm() < tail {
+                continue;
+            }
+            let (Some(at_a), Some(at_b)) = (self.lens.project(&a), self.lens.project(&b)) else { continue };
+            if !self.pane.expand(50.0).intersects(Rect::from_two_pos(at_a, at_b))
+                || at_a.distance(at_b) < 0.05
+            {
+                continue;
+            }
+            // Fresh at the aircraft, faint where it is old.
+            let age = |k: usize| color.gamma_multiply(0.05 + 0.8 * (k as f32 / count));
+            let mesh = if self.lens.seen(&a).z > depth { &mut beyond } else { &mut before };
+            stroke(mesh, [at_a, at_b], width(&a), [age(k), age(k + 1)]);
+        }
+        (beyond, before)
+    }
+
+    /// Four vectors head to tail: in steady flight they close.
+    pub fn force_polygon(&self, place: Rect) {
+        let Some(forces) = self.picture.forces else { return };
+        // Seen from the right: x to the right, z downwards, in Earth's upright plane of the heading.
+        let attitude = self.rotation;
+        let (sin, cos) = finite(self.picture.attitude.psi).sin_cos();
+        let flat = |force: [f64; 3]| {
+            let f = attitude * point(force);
+            Vec2::new(f.x * cos + f.y * sin, f.z)
+        };
+        let all = [forces.weight, forces.thrust, forces.lift, forces.drag].map(flat);
+        let colors = [1, 2, 0, 3].map(|k| self.palette.forces[k]);
+        let scale = 0.66 * place.height();
+        let mut at = Pos2::new(place.center().x, place.top() + 0.26 * place.height());
+        for (force, color) in all.into_iter().zip(colors) {
+            let to = at + force * scale;
+            self.painter.arrow(at, to - at, egui::Stroke::new(1.8, color));
+            at = to;
+        }
+    }
+}

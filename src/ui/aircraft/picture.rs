@@ -1,0 +1,159 @@
+//! What the pane shows at one moment. Angles in radians, lengths in metres.
+
+use egui::Color32;
+
+use crate::number::{fixed, significant};
+use crate::shape::{Deflections, Finish, Model, Point};
+use nalgebra::Rotation3;
+
+/// An aircraft at one moment of its flight.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its faces.
+    pub model: &'a Model,
+    /// Its paint.
+    pub finish: Finish,
+    /// Where it points.
+    pub attitude: Attitude,
+    /// Where it is: north, east, down from where the flight began \[m\].
+    pub position: [f64; 3],
+    /// Where undisturbed flight would have brought it: north, east, down \[m\].
+    pub steady_position: [f64; 3],
+    /// Speed of undisturbed flight \[m/s\]: sets the size of the fields below.
+    pub speed: f64,
+    /// Angle of attack α \[rad\], positive where the air comes from below.
+    pub alpha: f64,
+    /// Sideslip β \[rad\], positive where the air comes from the right.
+    pub beta: f64,
+    /// Roll, pitch and yaw rate p, q, r \[rad/s\].
+    pub rates: [f64; 3],
+    /// Positions of the controls.
+    pub deflections: Deflections,
+    /// How far the propellers have turned \[rad\].
+    pub propeller_angle: f32,
+    /// The four forces, where they are known.
+    pub forces: Option<Forces>,
+    /// Where it has been: north, east, down, the oldest first, up to where it is \[m\].
+    pub path: &'a [[f64; 3]],
+    /// Moments to draw.
+    pub moments: &'a [Moment<'a>],
+    /// A sentence on what is exaggerated, shown on the picture.
+    pub note: Option<&'a str>,
+}
+
+/// Attitude by Euler angles, in the order yaw, pitch, roll \[rad\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Attitude {
+    /// Bank φ, right wing down positive.
+    pub phi: f64,
+    /// Pitch θ of the fuselage above the horizon, nose-up positive: with the trim's own.
+    pub theta: f64,
+    /// Heading ψ from that of undisturbed flight, nose right positive.
+    pub psi: f64,
+}
+
+/// The four forces, each over the weight, in body axes: x forward, y right, z down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Forces {
+    /// Lift L.
+    pub lift: [f64; 3],
+    /// Weight W.
+    pub weight: [f64; 3],
+    /// Thrust T.
+    pub thrust: [f64; 3],
+    /// Drag D.
+    pub drag: [f64; 3],
+}
+
+/// A moment that pushes or damps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment<'a> {
+    /// Its symbol, in the notation of typeset symbols, such as `M_α α`.
+    pub symbol: &'a str,
+    /// The axis that it turns about.
+    pub axis: Axis,
+    /// Its size, −1 to 1 in a unit of its caller's: positive turns as the right hand about the axis.
+    pub size: f64,
+    /// Its colour.
+    pub color: Color32,
+}
+
+/// A body axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Forward: roll, right wing down positive.
+    X,
+    /// Right: pitch, nose-up positive.
+    Y,
+    /// Down: yaw, nose right positive.
+    Z,
+}
+
+impl Attitude {
+    /// From body to Earth axes.
+    pub(super) fn rotation(&self) -> Rotation3<f32> {
+        Rotation3::from_euler_angles(finite(self.phi), finite(self.theta), finite(self.psi))
+    }
+}
+
+/// As the graphics have it; what is no number is drawn as 0.
+pub(super) fn finite(x: f64) -> f32 {
+    let x = x as f32;
+    if x.is_finite() { x } else { 0.0 }
+}
+
+pub(super) fn point(p: [f64; 3]) -> Point {
+    Point::from(p.map(finite))
+}
+
+/// An angle in degrees, as a person reads it.
+pub(super) fn degrees(angle: f64) -> String {
+    format!("{}°", fixed(angle.to_degrees(), 1))
+}
+
+impl Picture<'_> {
+    /// From the flight's start, relative to where the aircraft is \[m\].
+    pub(super) fn seen_from_here(&self, place: [f64; 3]) -> Point {
+        point([0, 1, 2].map(|k| place[k] - self.position[k]))
+    }
+
+    /// The picture in a sentence, for those who can't see it.
+    pub fn sentence(&self) -> String {
+        let Attitude { phi, theta, psi } = self.attitude;
+        let altitude = self.steady_position[2] - self.position[2];
+        let mut sentence = format!(
+            "{}: pitch {}, bank {}, heading {}, angle of attack {}, sideslip {}, altitude {} m from steady flight",
+            self.name,
+            degrees(theta),
+            degrees(phi),
+            degrees(psi),
+            degrees(self.alpha),
+            degrees(self.beta),
+            significant(altitude, 3),
+        );
+        if let Some(note) = self.note {
+            sentence.push_str(". ");
+            sentence.push_str(note);
+        }
+        sentence
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn attitudes_turn_as_their_signs_say() {
+        let still = Attitude::default();
+        // North, east, down.
+        let right_wing = Attitude { phi: 0.1, ..still }.rotation() * Point::y();
+        assert!(right_wing.z > 0.05, "φ > 0: right wing down");
+        let nose = Attitude { theta: 0.1, ..still }.rotation() * Point::x();
+        assert!(nose.z < -0.05, "θ > 0: nose up");
+        let nose = Attitude { psi: 0.1, ..still }.rotation() * Point::x();
+        assert!(nose.y > 0.05, "ψ > 0: nose right");
+    }
+}

@@ -1,0 +1,110 @@
+//! Where a playback is: a time, and how it goes on. The motion is a function of that time, so it scrubs and never drifts.
+
+/// Rates that a person can choose, over real time.
+pub const RATES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
+
+/// A playback.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Playback {
+    /// Time in the motion \[s\].
+    pub time: f64,
+    /// Where the motion ends \[s\].
+    pub end: f64,
+    /// Whether time goes on.
+    pub is_playing: bool,
+    /// Seconds of motion in a second.
+    pub rate: f64,
+    /// Whether it begins again at its end.
+    pub is_looping: bool,
+}
+
+impl Playback {
+    /// At the beginning of a motion of some length \[s\], at rest.
+    pub fn new(end: f64) -> Self {
+        let end = if end.is_finite() { end.max(0.0) } else { 0.0 };
+        Self { time: 0.0, end, is_playing: false, rate: 1.0, is_looping: false }
+    }
+
+    /// Goes on by so much real time \[s\].
+    pub fn advance(&mut self, dt_real: f64) {
+        if !self.is_playing || !dt_real.is_finite() || dt_real <= 0.0 {
+            return;
+        }
+        let time = self.time + dt_real * self.rate;
+        if time < self.end {
+            self.time = time;
+        } else if self.is_looping && self.end > 0.0 {
+            self.time = time.rem_euclid(self.end);
+        } else {
+            self.time = self.end;
+            self.is_playing = false;
+        }
+    }
+
+    /// Plays on, from the beginning where it was at its end; or pauses.
+    pub fn toggle(&mut self) {
+        if !self.is_playing && self.time >= self.end {
+            self.time = 0.0;
+        }
+        self.is_playing = !self.is_playing && self.end > 0.0;
+    }
+
+    /// Goes to a time \[s\] within the motion.
+    pub fn seek(&mut self, time: f64) {
+        if time.is_finite() {
+            self.time = time.clamp(0.0, self.end);
+        }
+    }
+
+    /// Another rate: so many steps up the list of [`RATES`].
+    pub fn change_rate(&mut self, steps: isize) {
+        let now = RATES.iter().position(|rate| *rate >= self.rate).unwrap_or(RATES.len() - 1);
+        self.rate = RATES[now.saturating_add_signed(steps).min(RATES.len() - 1)];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_goes_on_only_while_playing_and_stops_at_the_end() {
+        let mut playback = Playback::new(10.0);
+        playback.advance(3.0);
+        assert_eq!(playback.time, 0.0);
+        playback.toggle();
+        playback.rate = 2.0;
+        playback.advance(3.0);
+        assert_eq!(playback.time, 6.0);
+        playback.advance(3.0);
+        assert_eq!((playback.time, playback.is_playing), (10.0, false));
+        playback.toggle();
+        assert_eq!((playback.time, playback.is_playing), (0.0, true));
+    }
+
+    #[test]
+    fn a_loop_begins_again_and_keeps_what_is_left_over() {
+        let mut playback = Playback { is_looping: true, is_playing: true, ..Playback::new(10.0) };
+        playback.seek(9.0);
+        playback.advance(2.5);
+        assert!((playback.time - 1.5).abs() < 1e-12 && playback.is_playing);
+        // Never hangs on an empty motion, nor takes a time that is none.
+        let mut empty = Playback { is_looping: true, is_playing: true, ..Playback::new(f64::NAN) };
+        empty.advance(1.0);
+        empty.seek(f64::NAN);
+        assert_eq!((empty.time, empty.is_playing), (0.0, false));
+    }
+
+    #[test]
+    fn rates_are_those_of_the_list() {
+        let mut playback = Playback::new(1.0);
+        let mut seen = Vec::new();
+        playback.change_rate(-9);
+        for _ in 0..RATES.len() {
+            seen.push(playback.rate);
+            playback.change_rate(1);
+        }
+        assert_eq!(seen, RATES);
+        assert_eq!(playback.rate, 4.0);
+    }
+}

@@ -1,0 +1,66 @@
+//! The bar that plays, pauses and scrubs.
+
+use egui::{Button, ComboBox, RichText, Slider, Ui};
+
+use super::playback::{Playback, RATES};
+use crate::number::fixed;
+use crate::ui::theme::{self, Palette};
+
+/// Narrower than this the slider has no use.
+const NARROWEST: f32 = 60.0;
+
+/// The words for a rate.
+fn rate_text(rate: f64) -> &'static str {
+    match RATES.iter().position(|known| *known == rate) {
+        Some(0) => "¼×",
+        Some(1) => "½×",
+        Some(3) => "2×",
+        Some(4) => "4×",
+        _ => "1×",
+    }
+}
+
+/// The bar of a playback. Every control is reached by Tab and worked by Space, Enter and the arrow keys.
+///
+/// The caller advances the playback, and asks for frames while it plays.
+pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
+    let palette = Palette::of(ui);
+    ui.horizontal(|ui| {
+        let (sign, name) = if playback.is_playing { ("⏸", "Pause") } else { ("▶", "Play") };
+        let play = Button::new(RichText::new(sign).color(palette.text)).min_size([34.0, 0.0].into());
+        if ui.add(play).accessible_name(name).on_hover_text(name).clicked() {
+            playback.toggle();
+        }
+        if ui.button("⏮").accessible_name("Back to the start").on_hover_text("Back to the start").clicked()
+        {
+            playback.seek(0.0);
+        }
+
+        let words = format!("{} of {} s", fixed(playback.time, 1), fixed(playback.end, 0));
+        let color = palette.weak;
+        let galley = ui.painter().layout_no_wrap(words, theme::small(), color);
+        // The words at their longest, the rates and the loop stand after the slider.
+        let digits = fixed(playback.end, 1).len() as f32;
+        let after = 7.0 * (2.0 * digits + 5.0) + 64.0 + 40.0 + 4.0 * ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = (ui.available_width() - after).max(NARROWEST);
+        let mut time = playback.time;
+        let slider = Slider::new(&mut time, 0.0..=playback.end.max(1e-3)).show_value(false);
+        let response = ui.add(slider).accessible_name("Time of the playback in s");
+        if response.changed() {
+            playback.seek(time);
+        }
+        let width = 7.0 * (2.0 * digits + 5.0);
+        let (place, _) = ui.allocate_exact_size([width, galley.size().y].into(), egui::Sense::hover());
+        ui.painter().galley(place.min, galley, color);
+
+        let chosen = rate_text(playback.rate);
+        let chooser = ComboBox::from_id_salt("rate").selected_text(chosen).width(46.0).show_ui(ui, |ui| {
+            for rate in RATES {
+                ui.selectable_value(&mut playback.rate, rate, rate_text(rate));
+            }
+        });
+        theme::name_chooser(chooser, "Speed of the playback", chosen);
+        let name = "Begin again at the end";
+        ui.toggle_value(&mut playback.is_looping, "⟳").accessible_name(name).on_hover_text(name);
+    });
+}

@@ -1,0 +1,175 @@
+//! The picture as a widget: drawn, turned by drag and keys, and told in a sentence.
+
+use egui::accesskit::Role;
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{
+    Align2, CornerRadius, EventFilter, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo,
+};
+
+use super::camera::{Camera, StandardView};
+use super::landscape::Ground;
+use super::overlays::{Easel, Overlays};
+use super::picture::{Picture, finite};
+use super::{airframe, landscape};
+use crate::shape::Point;
+use crate::ui::theme::{self, Palette};
+
+/// A drag over this many points turns the camera by 1 rad.
+const DRAG: f32 = 160.0;
+/// An arrow key turns it by so much \[rad\].
+const STEP: f32 = 0.12;
+/// A key zooms by so much.
+const ZOOM_STEP: f32 = 1.15;
+/// The aircraft strays no farther from the middle than this, in radii.
+const FARTHEST_ASTRAY: f32 = 0.2;
+/// Side of the polygon of forces.
+const POLYGON: f32 = 84.0;
+
+/// How a person looks at the aircraft.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AircraftView {
+    /// From where.
+    pub camera: Camera,
+    /// What is drawn over it.
+    pub overlays: Overlays,
+}
+
+impl AircraftView {
+    /// Buttons of the standard views, and what to show.
+    pub fn toolbar_ui(&mut self, ui: &mut Ui) {
+        ui.horizontal_wrapped(|ui| {
+            for view in StandardView::ALL {
+                let is_on = self.camera == view.camera();
+                let response = ui.selectable_label(is_on, view.text());
+                if response.accessible_name(view.name()).on_hover_text(view.name()).clicked() {
+                    self.camera = view.camera();
+                }
+            }
+            // Stays open while boxes are ticked.
+            let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+            MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
+                for (words, is_shown) in self.overlays.boxes() {
+                    ui.checkbox(is_shown, words);
+                }
+            });
+        });
+    }
+
+    /// Draws a moment of flight into all that is left of `ui`.
+    ///
+    /// Drag turns the view; so do the arrow keys where it has focus, `+` and `−` zoom, 1 to 4 are the standard views.
+    /// Pinching or the wheel with Ctrl zooms; the wheel alone scrolls the page as everywhere.
+    pub fn show(&mut self, ui: &mut Ui, picture: &Picture<'_>) -> Response {
+        let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        self.steer(ui, &response);
+        if ui.is_rect_visible(pane) {
+            self.draw(ui, pane, picture);
+            if response.has_focus() {
+                let stroke = Stroke::new(2.0, Palette::of(ui).accent);
+                ui.painter().rect_stroke(pane, CornerRadius::same(4), stroke, StrokeKind::Inside);
+            }
+        }
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, picture.sentence()));
+        response
+    }
+
+    fn steer(&mut self, ui: &Ui, response: &Response) {
+        if response.clicked() || response.drag_started() {
+            response.request_focus();
+        }
+        if response.dragged() {
+            let drag = response.drag_delta() / DRAG;
+            self.camera.orbit(-drag.x, drag.y);
+        }
+        if response.hovered() {
+            self.camera.zoom(ui.input(|input| input.zoom_delta()));
+        }
+        if !response.has_focus() {
+            return;
+        }
+        let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        ui.input(|input| {
+            let pressed = |key| input.num_presses(key) as f32;
+            self.camera.orbit(
+                STEP * (pressed(Key::ArrowRight) - pressed(Key::ArrowLeft)),
+                STEP * (pressed(Key::ArrowUp) - pressed(Key::ArrowDown)),
+            );
+            let nearer = pressed(Key::Plus) + pressed(Key::Equals) - pressed(Key::Minus);
+            self.camera.zoom(ZOOM_STEP.powf(nearer));
+            let keys = [Key::Num1, Key::Num2, Key::Num3, Key::Num4];
+            for (key, view) in keys.into_iter().zip(StandardView::ALL) {
+                if input.key_pressed(key) {
+                    self.camera = view.camera();
+                }
+            }
+        });
+    }
+
+    fn draw(&self, ui: &Ui, pane: Rect, picture: &Picture<'_>) {
+        let palette = Palette::of(ui);
+        let painter = ui.painter_at(pane);
+        let radius = picture.model.radius();
+        let lens = self.camera.lens(pane, radius, target(picture));
+        let [north, east, _] = picture.position;
+        let climbed = finite(picture.steady_position[2] - picture.position[2]);
+        let ground = Ground::below(radius, finite(picture.speed), [north, east], climbed);
+        painter.add(Shape::mesh(landscape::mesh(pane, &lens, &ground, palette)));
+
+        let rotation = picture.attitude.rotation();
+        let mut easel =
+            Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
+        let (beyond, before) = if self.overlays.path { easel.path() } else { Default::default() };
+        painter.add(Shape::mesh(beyond));
+        let pose = (picture.deflections, picture.propeller_angle);
+        painter.add(Shape::mesh(airframe::mesh(
+            picture.model,
+            picture.finish,
+            pose,
+            &rotation,
+            &lens,
+            palette,
+        )));
+        painter.add(Shape::mesh(before));
+        easel.draw(&self.overlays);
+
+        let mut taken = Vec::new();
+        if self.overlays.forces && picture.forces.is_some() && pane.width() > 4.0 * POLYGON {
+            let corner = pane.left_bottom() + Vec2::new(8.0, -8.0 - POLYGON);
+            let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
+            painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
+            easel.force_polygon(place);
+            let corner = place.min + Vec2::new(5.0, 3.0);
+            painter.text(corner, Align2::LEFT_TOP, "Balance", theme::small(), palette.weak);
+            taken.push(place);
+        }
+        if let Some(note) = picture.note {
+            taken.push(note_ui(&painter, pane, note, palette));
+        }
+        let Easel { labels, .. } = easel;
+        labels.paint(&painter, pane, &taken, palette);
+    }
+}
+
+/// Where to look, from the aircraft: at the middle of it and its arrows, but towards where steady flight would have
+/// brought it, so that it is seen to stray, though never far.
+fn target(picture: &Picture<'_>) -> Point {
+    let (low, high) = picture.model.bounds();
+    let middle = Point::x() * (0.5 * (low.x + 1.2 * high.x));
+    let back = picture.seen_from_here(picture.steady_position);
+    let limit = FARTHEST_ASTRAY * picture.model.radius();
+    middle + back * (limit / (limit + back.norm()))
+}
+
+/// A sentence at the top, and the place that it takes.
+fn note_ui(painter: &egui::Painter, pane: Rect, note: &str, palette: &Palette) -> Rect {
+    let wrap = pane.width() - 24.0;
+    let galley = painter.layout(note.to_owned(), theme::small(), palette.text, wrap);
+    let margin = Vec2::new(6.0, 3.0);
+    let corner = Pos2::new(pane.left() + 8.0, pane.top() + 8.0);
+    let place = Rect::from_min_size(corner, galley.size() + 2.0 * margin);
+    painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.85));
+    painter.galley(corner + margin, galley, palette.text);
+    place
+}

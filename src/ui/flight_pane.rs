@@ -1,0 +1,129 @@
+//! The aircraft pane: the motion on screen flown by the aircraft, played, paused and scrubbed.
+
+use std::collections::HashMap;
+
+use egui::Ui;
+
+use super::aircraft::{AircraftView, Attitude, Axis, Forces, Moment, Picture, Playback, transport_ui};
+use super::theme::Palette;
+use crate::content::shapes::embedded_shape;
+use crate::number::trimmed;
+use crate::scenario::{Flown, Pose};
+use crate::shape::{Deflections, Finish, Model};
+
+/// Length of the path behind the aircraft \[s\].
+const PATH: f64 = 8.0;
+/// The propeller turns so fast on screen \[rad/s\]: slowly enough to be seen turning.
+const PROPELLER: f64 = 14.0;
+
+/// How a person looks at the flight, and where its playback is.
+#[derive(Debug)]
+pub struct FlightPane {
+    view: AircraftView,
+    playback: Playback,
+    /// The faces of the shapes drawn so far.
+    models: Models,
+}
+
+impl Default for FlightPane {
+    fn default() -> Self {
+        let playback = Playback { is_looping: true, ..Playback::new(0.0) };
+        Self { view: AircraftView::default(), playback, models: HashMap::new() }
+    }
+}
+
+impl FlightPane {
+    /// Time of the playback \[s\].
+    pub fn time(&self) -> f64 {
+        self.playback.time
+    }
+
+    /// Whether it plays.
+    pub fn is_playing(&self) -> bool {
+        self.playback.is_playing
+    }
+
+    /// Shows another moment \[s\], if it is not playing.
+    pub fn seek(&mut self, time: f64) {
+        if !self.playback.is_playing {
+            self.playback.seek(time);
+        }
+    }
+
+    /// Plays, or pauses.
+    pub fn toggle(&mut self) {
+        self.playback.toggle();
+    }
+
+    /// Lets time go on, where it is playing, through a motion that ends at `end` \[s\].
+    pub fn advance(&mut self, ui: &Ui, end: f64) {
+        self.playback.end = end;
+        self.playback.time = self.playback.time.min(end);
+        if self.playback.is_playing {
+            self.playback.advance(f64::from(ui.input(|input| input.stable_dt).min(0.1)));
+            ui.request_repaint();
+        }
+    }
+
+    /// Draws the aircraft at the time of the playback, over all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, flown: Flown<'_>) {
+        let palette = Palette::of(ui);
+        self.view.toolbar_ui(ui);
+        let bar = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+        let room = (ui.available_height() - bar).max(80.0);
+        let (time, exaggeration) = (self.playback.time, flown.exaggeration());
+        let pose = flown.pose(time, exaggeration);
+        let Pose { attitude: [phi, theta, psi], rates, alpha, beta, position, steady_position, .. } = pose;
+        let path = flown.path(time, PATH, exaggeration);
+        let moments: Vec<Moment<'_>> = flown
+            .moments(time)
+            .into_iter()
+            .map(|moment| Moment {
+                symbol: moment.symbol,
+                axis: [Axis::X, Axis::Y, Axis::Z][moment.axis],
+                size: moment.size,
+                color: if moment.damps { palette.good } else { palette.warning },
+            })
+            .collect();
+        let note = (exaggeration != 1.0)
+            .then(|| format!("One mode alone, {} × as large as it is", trimmed(exaggeration, 3)));
+        let Self { view, playback, models } = self;
+        let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
+        let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
+        let picture = Picture {
+            name: &flown.scenario.aircraft.name,
+            model,
+            finish: *finish,
+            attitude: Attitude { phi, theta, psi },
+            position,
+            steady_position,
+            speed: flown.motion.model.trim.speed,
+            alpha,
+            beta,
+            rates,
+            deflections: Deflections { elevator, aileron, rudder },
+            propeller_angle: (PROPELLER * time) as f32,
+            forces: pose.forces.map(|[lift, weight, thrust, drag]| Forces { lift, weight, thrust, drag }),
+            path: &path,
+            moments: &moments,
+            note: note.as_deref(),
+        };
+        let width = ui.available_width();
+        ui.allocate_ui(egui::Vec2::new(width, room), |ui| {
+            ui.set_min_height(room);
+            view.show(ui, &picture);
+        });
+        transport_ui(ui, playback);
+    }
+}
+
+type Models = HashMap<&'static str, (Model, Finish)>;
+
+/// The faces of a shape, built when it is first drawn.
+fn model<'a>(models: &'a mut Models, shape: &'static str) -> Option<&'a (Model, Finish)> {
+    if !models.contains_key(shape) {
+        let read = embedded_shape(shape)?.ok()?;
+        models.insert(shape, (Model::new(&read), read.finish));
+    }
+    models.get(shape)
+}
