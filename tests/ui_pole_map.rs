@@ -171,7 +171,7 @@ fn a_target_out_of_reach_says_why_and_the_sentence_goes_with_the_next_press() {
     let axis = map(&harness, "All modes").center().y;
     press(&mut harness, from);
     go(&mut harness, Pos2::new(from.x, axis));
-    harness.get_by_label_contains("Short period can’t follow: on the real axis this pair would part");
+    harness.get_by_label_contains("Short period can’t follow: this pair would meet on the real axis");
     release(&mut harness, Pos2::new(from.x, axis));
     assert!(mode(&harness, ModeName::ShortPeriod).lambda.im > 0.0);
     harness.key_press(Key::Tab);

@@ -14,7 +14,7 @@ use crate::flight::sensitivity::sensitivity;
 /// A derivative that moves |λ| by less than this fraction for a notable change of its own doesn't move the pole.
 const STILL: f64 = 1e-6;
 /// Nearer to the real axis than this fraction of |λ|, a pair is about to meet on it.
-const ON_AXIS: f64 = 0.2;
+const ON_AXIS: f64 = 0.1;
 /// Nearer to another real root than this fraction of the way that is left, the two are about to meet.
 const MEETING: f64 = 0.1;
 /// A value this fraction of its range from an end is at that end.
@@ -45,8 +45,8 @@ pub enum Obstacle {
     /// Sliders are at their ends.
     #[error("{} at the end of {} slider{}", among(.0), if .0.len() == 1 { "its" } else { "their" }, if .0.len() == 1 { "" } else { "s" })]
     Ends(Vec<&'static Parameter>),
-    /// The pair comes to the real axis, where it is no pair any more.
-    #[error("on the real axis this pair would part into two real roots")]
+    /// The pair would come to the real axis, where it is no pair any more.
+    #[error("this pair would meet on the real axis and part into two real roots")]
     RealAxis,
     /// The real root comes to another.
     #[error("here it meets another real root; beyond, the two are an oscillation")]
@@ -127,11 +127,11 @@ impl Scenario {
         let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
         let with = |values: &[f64]| self.with_values(&chosen, &adjustables, values);
         let model = &|values: &[f64]| Some(with(values).edited.models().ok()?.of(self.plane)?.a);
-        let placement = placed_by_the_same_pole(model, &adjustables, mode.lambda, wanted)?;
+        let (placement, lost) = placed_by_the_same_pole(model, &adjustables, mode.lambda, wanted)?;
         let scenario = with(&placement.values);
         let obstacle = placement
             .out_of_reach
-            .and_then(|_| obstacle(&chosen, &adjustables, &placement, model(&placement.values)));
+            .and_then(|_| obstacle(&chosen, &adjustables, &placement, lost, model(&placement.values)));
         let Placement { lambda, evaluations, .. } = placement;
         Ok(Placed { scenario, lambda, wanted, obstacle, evaluations })
     }
@@ -189,13 +189,13 @@ impl Scenario {
 }
 
 /// The placement, if it is the pole at `from` that has come there. Where that pole would have to part or meet another on the way,
-/// and it is another one that the search has found, the farthest place towards `wanted` that it does come to.
+/// and it is another one that the search has found, the farthest place towards `wanted` that it does come to, and true.
 fn placed_by_the_same_pole(
     model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
     adjustables: &[Adjustable],
     from: Complex<f64>,
     wanted: Complex<f64>,
-) -> Result<Placement, InverseError> {
+) -> Result<(Placement, bool), InverseError> {
     let place = |to: Complex<f64>| place_pole(model, adjustables, from, to);
     let followed = |placement: &Placement| {
         let end = follow(model, adjustables, &placement.values, from);
@@ -203,7 +203,7 @@ fn placed_by_the_same_pole(
     };
     let whole = place(wanted)?;
     if followed(&whole) {
-        return Ok(whole);
+        return Ok((whole, false));
     }
     let (mut kept, mut reached, mut lost) = (place(from)?, 0.0, 1.0);
     for _ in 0..HALVINGS {
@@ -216,11 +216,8 @@ fn placed_by_the_same_pole(
         }
     }
     // What is told is of the whole way.
-    Ok(Placement {
-        wanted: whole.wanted,
-        out_of_reach: whole.out_of_reach.or(Some(OutOfReach::Both)),
-        ..kept
-    })
+    let out_of_reach = whole.out_of_reach.or(Some(OutOfReach::Both));
+    Ok((Placement { wanted: whole.wanted, out_of_reach, ..kept }, true))
 }
 
 /// Where the pole at `from` goes while the parameters go straight to `values`; `None` where it leaves or meets the real axis.
@@ -247,12 +244,13 @@ fn follow(
     Some(here)
 }
 
-/// What keeps the pole from the target; `None` if nothing worth a word does: it is there to four digits. `a` is the matrix with
-/// the pole where it came to.
+/// What keeps the pole from the target; `None` if nothing worth a word does: it is there to four digits. `lost` says that
+/// another pole would have come nearer, `a` is the matrix with the pole where it came to.
 fn obstacle(
     chosen: &[&'static Parameter],
     adjustables: &[Adjustable],
     placement: &Placement,
+    lost: bool,
     a: Option<Matrix4<f64>>,
 ) -> Option<Obstacle> {
     let Placement { values, lambda, wanted, .. } = placement;
@@ -261,11 +259,12 @@ fn obstacle(
         return None;
     }
     let pair = lambda.im > 0.0;
-    if pair && lambda.im <= ON_AXIS * lambda.norm() && wanted.im <= lambda.im {
+    let near_axis = lambda.im <= ON_AXIS * lambda.norm() && wanted.im <= lambda.im;
+    if pair && (lost || near_axis) {
         return Some(Obstacle::RealAxis);
     }
     let gap = a.and_then(|a| gap_to_real_root(&a, *lambda));
-    if !pair && gap.is_some_and(|gap| gap < MEETING * left) {
+    if !pair && (lost || gap.is_some_and(|gap| gap < MEETING * left)) {
         return Some(Obstacle::Meeting);
     }
     let is_at_end = |(_, (value, p)): &(&&'static Parameter, (&f64, &Adjustable))| {

@@ -110,8 +110,8 @@ pub fn keep_clear<'a>(
     boundaries: impl Iterator<Item = &'a Boundary>,
 ) {
     for boundary in boundaries {
-        for at in drawn(boundary, chart).parts.iter().flat_map(|part| spaced(part, 5.0)) {
-            placement.keep_clear(Rect::from_center_size(at, Vec2::splat(3.0)));
+        for at in drawn(boundary, chart).parts.iter().flat_map(|part| spaced(part, 8.0)) {
+            placement.keep_clear(Rect::from_center_size(at, Vec2::splat(5.0)));
         }
     }
 }
@@ -152,7 +152,7 @@ pub fn labels<'a>(
             let half = 0.5 * galley.size();
             // The box touches the line with the corner or side that is nearest to it.
             Rect::from_center_size(
-                at + keeps * 4.0 + Vec2::new(keeps.x * half.x, keeps.y * half.y),
+                at + keeps * 5.5 + Vec2::new(keeps.x * half.x, keeps.y * half.y),
                 galley.size(),
             )
         };

@@ -1,9 +1,8 @@
 //! What a person has asked the pole map for: approximations, levels, and which derivatives the drag of a pole moves.
 
+use egui::style::StyleModifier;
 use egui::text::LayoutJob;
-use egui::{
-    Button, Checkbox, Popup, PopupCloseBehavior, Rect, RichText, ScrollArea, Sense, TextFormat, Ui, Vec2,
-};
+use egui::{Button, Checkbox, Popup, PopupCloseBehavior, Rect, RichText, ScrollArea, TextFormat, Ui, Vec2};
 
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
@@ -15,6 +14,8 @@ use crate::ui::theme::{self, Palette};
 
 /// Symbols written on the button; of more, how many.
 const WRITTEN: usize = 3;
+/// Length of the longest bar of the list \[points\].
+const BAR: f32 = 48.0;
 
 /// What is asked for.
 #[derive(Debug, Default)]
@@ -124,6 +125,8 @@ impl Choices {
         let button = ui.add(Button::new(job).frame_when_inactive(false)).accessible_name(name);
         let button = button.on_hover_text("Which derivatives change when a pole is dragged");
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        // Boxes to tick have their outline, which the style of menus takes away.
+        let popup = popup.style(StyleModifier::default());
         popup.show(|ui| {
             ui.set_width(268.0);
             ui.label(RichText::new("A pole that is dragged moves").font(theme::small()).color(palette.weak));
@@ -140,7 +143,7 @@ impl Choices {
             let Some(mode) = plane.modes.get(index) else { return };
             let mut keys = self.movers(scenario, &plane.modes, index, page, rows);
             let before = keys.clone();
-            ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
+            ScrollArea::vertical().max_height(300.0).auto_shrink([false, true]).show(ui, |ui| {
                 for key in by_strength(rows, index) {
                     let strength =
                         rows.iter().find(|row| row.key == key).and_then(|row| row.strengths[index]);
@@ -169,21 +172,23 @@ fn mover_ui(
         let mut job = symbol.job(14.0, palette.text);
         let name = TextFormat::simple(theme::small(), palette.weak);
         job.append(&format!("  {}", parameter.name), 0.0, name);
-        job.wrap = egui::text::TextWrapping::truncate_at_width(196.0);
+        job.wrap = egui::text::TextWrapping::truncate_at_width(186.0);
         let mut chosen = keys.contains(&key);
         let checkbox = ui.add(Checkbox::new(&mut chosen, job));
-        if checkbox.accessible_name(format!("Drag moves {}", symbol.plain())).changed() {
+        let checkbox = checkbox.accessible_name(format!("Drag moves {}", symbol.plain()));
+        if checkbox.changed() {
             if chosen {
                 keys.push(key);
             } else {
                 keys.retain(|other| *other != key);
             }
         }
-        let room = Vec2::new(ui.available_width().max(1.0), 4.0);
-        let (rect, _) = ui.allocate_exact_size(room, Sense::hover());
         // As the bars beside the sliders: a tenth of |λ| fills it, a square root keeps the weak ones visible.
         let share = strength.map_or(1.0, |strength| (strength / 0.1).min(1.0).sqrt()) as f32;
-        let bar = Rect::from_min_size(rect.min, Vec2::new((share * rect.width()).max(1.0), 4.0));
+        let place = checkbox.rect.right_center().y;
+        let right = ui.max_rect().right();
+        let start = egui::pos2(right - BAR, place - 2.0);
+        let bar = Rect::from_min_size(start, Vec2::new((share * BAR).max(1.0), 4.0));
         ui.painter().rect_filled(bar, 1.0, palette.mode(mode.naming.name));
     });
 }

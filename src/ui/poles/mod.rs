@@ -28,9 +28,10 @@ mod range;
 mod trail;
 
 use egui::accesskit::{Live, Role};
+use egui::text::LayoutJob;
 use egui::{
     Align2, Button, CursorIcon, EventFilter, Id, Key, Pos2, Rect, Response, RichText, Sense, Stroke,
-    StrokeKind, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
+    StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
 };
 use nalgebra::Complex;
 
@@ -45,6 +46,7 @@ use self::range::MapRange;
 use self::trail::Trail;
 use super::axis_range::round_up;
 use super::memo::Memo;
+use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::level_boundaries::{Boundary, level_boundaries};
@@ -415,7 +417,23 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
 fn sentence_ui(ui: &mut Ui, sentence: &str, map: Rect, palette: &Palette, draw: bool) -> Rect {
     let margin = Vec2::new(8.0, 5.0);
     let width = map.width() - 12.0 - 2.0 * margin.x;
-    let galley = ui.painter().layout(sentence.to_owned(), theme::small(), palette.warning, width);
+    let mut job = LayoutJob::default();
+    job.wrap.max_width = width;
+    for (i, word) in sentence.split(' ').enumerate() {
+        let text = |text: &str, job: &mut LayoutJob| {
+            job.append(text, 0.0, TextFormat::simple(theme::small(), palette.warning));
+        };
+        text(if i > 0 { " " } else { "" }, &mut job);
+        // A symbol may have a comma or a stop behind it.
+        let symbol = word.trim_end_matches([',', '.', ':']);
+        if symbol.contains('_') {
+            Symbol::parse(symbol).append_to(&mut job, 13.0, palette.warning);
+            text(&word[symbol.len()..], &mut job);
+        } else {
+            text(word, &mut job);
+        }
+    }
+    let galley = ui.painter().layout_job(job);
     let size = galley.size() + 2.0 * margin;
     let place = Align2::LEFT_BOTTOM.anchor_size(map.left_bottom() + Vec2::new(6.0, -6.0), size);
     if draw {

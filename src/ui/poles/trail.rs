@@ -94,3 +94,68 @@ fn before(poles: &Poles, name: ModeName, here: Complex<f64>, near: f64) -> Optio
     let nearest = || poles.iter().map(|(_, pole)| *pole).min_by(|a, b| distance(a).total_cmp(&distance(b)));
     same.or_else(|| nearest().filter(|pole| distance(pole) <= near))
 }
+
+#[cfg(test)]
+mod tests {
+    use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput};
+    use nalgebra::Matrix4;
+
+    use super::*;
+    use crate::flight::modes::modes_of;
+    use crate::flight::plane::Plane;
+
+    /// A light aircraft with another pitch stiffness, g in the unit of the other entries.
+    fn modes(m_w: f64) -> Vec<Mode> {
+        let a = Matrix4::from_row_slice(&[
+            -0.045, 0.036, 0.0, -0.322, -0.369, -2.02, 1.76, 0.0, 0.191, m_w, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
+        ]);
+        modes_of(Plane::Longitudinal, &a).expect("modes")
+    }
+
+    struct Hand(Context, f64);
+
+    impl Hand {
+        /// One frame with the button pressed, let go, or left as it is.
+        fn frame(&mut self, pressed: Option<bool>, trail: &mut Trail, m_w: f64) -> usize {
+            self.1 += 0.02;
+            let button = |pressed| Event::PointerButton {
+                pos: Pos2::ZERO,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            };
+            let events = pressed.map(button).into_iter().collect();
+            let input = RawInput { time: Some(self.1), events, ..RawInput::default() };
+            let output = self.0.run_ui(input, |ui| trail.observe(ui, &modes(m_w)));
+            { output }.textures_delta.clear();
+            trail.samples.len()
+        }
+    }
+
+    #[test]
+    fn a_drag_leaves_a_trail_that_the_next_drag_begins_anew_and_any_other_change_ends() {
+        let (mut hand, mut trail) = (Hand(Context::default(), 0.0), Trail::default());
+        assert_eq!(hand.frame(None, &mut trail, -3.0), 1);
+        assert_eq!(hand.frame(Some(true), &mut trail, -3.1), 2);
+        assert_eq!(hand.frame(None, &mut trail, -3.2), 3);
+        assert_eq!(hand.frame(None, &mut trail, -3.2), 3, "nothing moved");
+        assert_eq!(hand.frame(Some(false), &mut trail, -3.2), 3, "it stays after the drag");
+        assert_eq!(hand.frame(Some(true), &mut trail, -3.2), 3, "and until something moves");
+        assert_eq!(hand.frame(None, &mut trail, -3.3), 2, "from where the poles were");
+        assert_eq!(hand.frame(Some(false), &mut trail, -3.3), 2);
+        assert_eq!(hand.frame(None, &mut trail, -3.0), 1, "undone");
+    }
+
+    #[test]
+    fn a_long_drag_keeps_its_beginning_and_a_bounded_number_of_samples() {
+        let (mut hand, mut trail) = (Hand(Context::default(), 0.0), Trail::default());
+        hand.frame(None, &mut trail, -3.0);
+        let first = trail.samples[0].clone();
+        hand.frame(Some(true), &mut trail, -3.001);
+        for k in 2..1000 {
+            assert!(hand.frame(None, &mut trail, -3.0 - 0.001 * f64::from(k)) <= MOST);
+        }
+        assert_eq!(trail.samples[0], first);
+        assert!(trail.samples.len() > MOST / 2);
+    }
+}
