@@ -68,6 +68,13 @@ fn whole(criterion: &mut Criterion) {
         criterion.bench_function("navion/sensitivities", |bench| {
             bench.iter(|| black_box(&scenario).sensitivities(plane, Page::Coefficients));
         });
+        // A pole under the hand, by the way through coefficients: near, and far beyond what the sliders can do.
+        let Some(mode) = plane.modes.first() else { return };
+        for (name, turn) in [("near", Complex::new(1.1, 0.05)), ("beyond", Complex::new(4.0, 1.0))] {
+            criterion.bench_function(&format!("navion/drag_a_pole_{name}"), |bench| {
+                bench.iter(|| scenario.place_pole(mode, mode.lambda * turn, &["cm_alpha", "cm_q"]));
+            });
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 //! ẇ terms are folded in. Sources: McRuer, Ashkenas & Graham, *Aircraft Dynamics and Automatic Control*, 1973, §§5–6;
 //! Nelson, *Flight Stability and Automatic Control*, 2nd ed., §§4–5; Lanchester, *Aerodonetics*, 1908.
 
-use nalgebra::Matrix4;
+use nalgebra::{Complex, Matrix4};
 
 use super::axes::to_stability_axes;
 use super::modes::Mode;
@@ -60,6 +60,18 @@ impl ApproximationName {
         }
     }
 
+    /// Whether it is the first that a course would name of its mode: one for each.
+    pub const fn is_principal(self) -> bool {
+        matches!(
+            self,
+            Self::ShortPeriodTwoStates
+                | Self::PhugoidTwoStates
+                | Self::DutchRollTwoStates
+                | Self::RollDamping
+                | Self::SpiralWithGravity
+        )
+    }
+
     /// The mode that it approximates.
     pub const fn concerns(self) -> ModeName {
         match self {
@@ -105,6 +117,26 @@ pub struct Approximation {
 }
 
 impl Approximation {
+    /// The root that it gives \[1/s\], the upper one of a pair, the slower one of two real ones; `None` where it gives no root,
+    /// or a frequency without damping.
+    pub fn root(&self) -> Option<Complex<f64>> {
+        let root = match self.value? {
+            ModeValue::Root(root) => Complex::from(root),
+            ModeValue::SecondOrder { natural_frequency: wn, damping_ratio: zeta } => {
+                // λ = −ζωₙ ± ωₙ√(ζ² − 1)
+                let zeta = zeta?;
+                let part = wn * (zeta * zeta - 1.0).abs().sqrt();
+                if zeta.abs() < 1.0 {
+                    Complex::new(-zeta * wn, part)
+                } else {
+                    // The product of the two is ωₙ², which loses no digits.
+                    Complex::from(-wn * wn / (zeta * wn + part.copysign(zeta)))
+                }
+            }
+        };
+        (root.re.is_finite() && root.im.is_finite()).then_some(root)
+    }
+
     /// Relative error of ωₙ or of the root, approximate/exact − 1; `None` where either is missing.
     pub fn error(&self) -> Option<f64> {
         match (self.value?, self.exact?) {

@@ -4,6 +4,8 @@
 //! figure 3 are read off the drawing, two of them (0.87 rad/s, 1.8 g/rad) rounded as later standards give them. Left out: the
 //! relaxations by agreement (Level 3 damping above 20,000 ft; the starred ωₙ of Class III) and flight-path stability (3.2.1.3).
 
+use super::naming::ModeName;
+
 /// The kind of aircraft (1.3, pp. 1–2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
@@ -144,6 +146,18 @@ pub enum Criterion {
 }
 
 impl Criterion {
+    /// The mode that it judges.
+    pub const fn concerns(self) -> ModeName {
+        match self {
+            Self::Phugoid => ModeName::Phugoid,
+            Self::ShortPeriodDamping | Self::ShortPeriodFrequency => ModeName::ShortPeriod,
+            Self::DutchRoll => ModeName::DutchRoll,
+            Self::RollMode => ModeName::RollSubsidence,
+            Self::Spiral => ModeName::Spiral,
+            Self::CoupledRollSpiral => ModeName::CoupledRollSpiral,
+        }
+    }
+
     /// Paragraph of MIL-F-8785C.
     pub const fn paragraph(self) -> &'static str {
         match self {

@@ -44,6 +44,7 @@ pub mod integrator;
 pub mod inverse;
 pub mod knobs;
 mod least_change;
+pub mod level_boundaries;
 pub mod locus;
 pub mod mil_f_8785c;
 pub mod modal_sum;

@@ -6,6 +6,7 @@ mod experiment;
 pub mod link;
 mod outlook;
 pub mod parameters;
+mod placement;
 mod pose;
 mod quantity;
 
@@ -21,6 +22,7 @@ pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
+pub use placement::{Obstacle, Placed, PlacementError, by_strength};
 pub use pose::{Flown, MomentArrow, Pose};
 pub use quantity::Quantity;
 

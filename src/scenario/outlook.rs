@@ -36,8 +36,7 @@ impl Scenario {
 
     fn sensitivity(&self, analysis: &PlaneAnalysis, parameter: &'static Parameter) -> Option<RowSensitivity> {
         let a_rate = self.matrix_rate(parameter)?;
-        let range = parameter.range(self);
-        let change = (0.1 * parameter.get(self).abs()).max((range.end() - range.start()) / 60.0);
+        let change = parameter.notable_change(self);
         let modes: Vec<Sensitivity> = analysis.modes.iter().map(|mode| sensitivity(mode, &a_rate)).collect();
         let fastest = analysis.modes.iter().map(|mode| mode.lambda.norm()).fold(f64::MIN_POSITIVE, f64::max);
         let strength = |(mode, sensitivity): (&Mode, &Sensitivity)| {

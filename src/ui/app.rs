@@ -14,7 +14,7 @@ use super::flight_pane::FlightPane;
 use super::keys::{self, Command, Pane};
 use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
-use super::pole_map::PoleMap;
+use super::poles::{Hand, PoleMap, Seen};
 use super::responses::{Responses, Studied};
 use super::share::Share;
 use super::theme::{self, Look, Palette};
@@ -210,6 +210,13 @@ impl App {
         let width = ui.content_rect().width();
         let phone = width < PHONE;
         let palette = Palette::of(ui);
+        // First of all, so that the sliders are drawn where the drag of a pole has brought them.
+        let mut hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
+        if hand == Hand::Takes {
+            // A drag is one step, whatever was edited just before it and however long it takes.
+            self.history.add_undo(&self.scenario);
+            hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
+        }
         let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
         action = Panel::top("top bar")
             .frame(bar)
@@ -244,7 +251,11 @@ impl App {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
         }
-        self.history.feed_state(ui.input(|input| input.time), &self.scenario);
+        match hand {
+            Hand::LetsGo => self.history.add_undo(&self.scenario),
+            Hand::Takes | Hand::Holds => {}
+            Hand::Away => self.history.feed_state(ui.input(|input| input.time), &self.scenario),
+        }
     }
 
     /// Does what a key asks for, or says what is to be done last in the frame.
@@ -348,7 +359,10 @@ impl App {
         let palette = Palette::of(ui);
         let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
         self.ghost_memo_refresh();
-        Panel::top("poles").exact_size(230.0).resizable(false).frame(ground).show(ui, |ui| self.poles_ui(ui));
+        Panel::top("poles").exact_size(266.0).resizable(false).frame(ground).show(ui, |ui| {
+            ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
+            self.poles_ui(ui);
+        });
         Panel::top("panes").frame(ground).show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 8.0;
@@ -436,7 +450,10 @@ impl App {
             ui.set_clip_rect(room.intersect(ui.clip_rect()));
             match pane {
                 Pane::Poles => {
-                    theme::heading(ui, RichText::new("Pole map").heading(), 2);
+                    ui.horizontal(|ui| {
+                        theme::heading(ui, RichText::new("Pole map").heading(), 2);
+                        self.pole_choices_ui(ui, Rows::Dense);
+                    });
                     self.poles_ui(ui);
                 }
                 Pane::Aircraft => {
@@ -488,11 +505,24 @@ impl App {
 
     fn poles_ui(&mut self, ui: &mut Ui) {
         self.memo.refresh(&self.scenario, self.view.page);
-        self.memo.refresh_locus(&self.scenario, self.view.touched.and_then(Parameter::find));
+        let touched = self.view.touched.and_then(Parameter::find);
+        self.memo.refresh_locus(&self.scenario, touched);
         let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
         match self.memo.plane() {
-            Some(plane) => self.view.poles.show(ui, &plane.modes, ghost, self.memo.locus()),
+            Some(plane) => {
+                let locus = touched.zip(self.memo.locus());
+                self.view.poles.show(ui, Seen { scenario: &self.scenario, plane, ghost, locus });
+            }
             None => problem_ui(ui, self.memo.followed(), self.scenario.plane),
+        }
+    }
+
+    /// What else the pole map shows, and what the drag of a pole moves.
+    fn pole_choices_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        self.memo.refresh(&self.scenario, self.view.page);
+        if let (Some(plane), Some(followed)) = (self.memo.plane(), self.memo.followed()) {
+            let choices = &mut self.view.poles.choices;
+            choices.show(ui, &self.scenario, plane, &followed.sensitivities, self.view.page, rows);
         }
     }
 

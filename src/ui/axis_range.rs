@@ -42,6 +42,11 @@ impl AxisRange {
         self.shown = Some(next);
         next.0..=next.1
     }
+
+    /// Takes a range at once: one that a person has brought it to.
+    pub fn hold(&mut self, range: RangeInclusive<f64>) {
+        self.shown = Some(range.into_inner());
+    }
 }
 
 /// The smallest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ᵏ that is not less than `value`, which must be positive.

@@ -3,16 +3,15 @@
 use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, RichText, Stroke, Ui, Vec2};
 
 use super::phasors::phasors_ui;
-use super::pole_map::eigenvalue;
+use super::poles::eigenvalue;
 use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
+use crate::flight::approximations::Approximation;
 use crate::flight::handling_qualities::{Level, Verdict};
-use crate::flight::mil_f_8785c::Criterion;
 use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::naming::ModeName;
 use crate::flight::plane::Plane;
 use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict, Stiffness};
 use crate::number::significant;
@@ -246,14 +245,7 @@ fn chip_ui(ui: &mut Ui, text: &str, (color, ground): (Color32, Color32)) {
 /// The verdicts on handling qualities that concern a mode.
 fn judged<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a Verdict> {
     let name = mode.naming.name;
-    plane.levels.iter().filter(move |verdict| match verdict.criterion {
-        Criterion::ShortPeriodDamping | Criterion::ShortPeriodFrequency => name == ModeName::ShortPeriod,
-        Criterion::Phugoid => name == ModeName::Phugoid,
-        Criterion::DutchRoll => name == ModeName::DutchRoll,
-        Criterion::RollMode => name == ModeName::RollSubsidence,
-        Criterion::Spiral => name == ModeName::Spiral,
-        Criterion::CoupledRollSpiral => name == ModeName::CoupledRollSpiral,
-    })
+    plane.levels.iter().filter(move |verdict| verdict.criterion.concerns() == name)
 }
 
 fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
@@ -266,24 +258,31 @@ fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
 fn approximations_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     let palette = Palette::of(ui);
     for approximation in plane.approximations.iter().filter(|a| a.name.concerns() == mode.naming.name) {
-        let off = signed_percent;
-        let what = if mode.is_oscillatory() { "ω" } else { "λ" };
-        let errors = [
-            approximation.error().map(|error| format!("{what} {}", off(error))),
-            approximation.damping_error().map(|error| format!("ζ {}", off(error))),
-        ];
-        let errors: Vec<String> = errors.into_iter().flatten().collect();
-        let errors = if errors.is_empty() { "gives nothing here".to_owned() } else { errors.join(", ") };
+        let errors = approximation_errors(approximation, mode.is_oscillatory());
         let line = format!("≈ {}: {errors}", approximation.name.text());
         let label = ui.label(RichText::new(line).font(theme::small()).color(palette.weak));
         label.on_hover_text(format!("{}\nLeaves out: {}", approximation.formula, approximation.neglects));
     }
 }
 
+/// "ω +1.2 %, ζ −3 %" of an oscillation, "λ +4 %" of a root.
+pub fn approximation_errors(approximation: &Approximation, is_oscillatory: bool) -> String {
+    let off =
+        |error: f64| format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2));
+    let what = if is_oscillatory { "ω" } else { "λ" };
+    let errors = [
+        approximation.error().map(|error| format!("{what} {}", off(error))),
+        approximation.damping_error().map(|error| format!("ζ {}", off(error))),
+    ];
+    let errors: Vec<String> = errors.into_iter().flatten().collect();
+    if errors.is_empty() { "gives nothing here".to_owned() } else { errors.join(", ") }
+}
+
 /// One number of a card: symbol, text with its unit, and what it is.
 type Entry = (&'static str, Option<String>, &'static str);
 
-fn numbers_ui(ui: &mut Ui, mode: &Mode) {
+/// The numbers of a mode, two a line.
+pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
     let seconds = |t: f64| format!("{} s", significant(t, 3));
     let rate = |w: f64| format!("{} rad/s", significant(w, 3));
     let growth: Entry = if mode.stability == DynamicStability::Unstable {
@@ -309,7 +308,7 @@ fn numbers_ui(ui: &mut Ui, mode: &Mode) {
         (cycles.0, mode.cycles().map(|n| significant(n, 2)), cycles.1),
         ("τ", mode.time_constant().map(seconds), "Time constant, −1/λ"),
     ];
-    let eigenvalue = format!("{} 1/s", eigenvalue(mode));
+    let eigenvalue = format!("{} 1/s", eigenvalue(mode.lambda));
     entry_ui(ui, ui.available_width(), &("λ", Some(eigenvalue), "Eigenvalue σ ± jω: growth and frequency"));
     let shown: Vec<&Entry> = entries.iter().filter(|entry| entry.1.is_some()).collect();
     for pair in shown.chunks(2) {

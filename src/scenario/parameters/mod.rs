@@ -192,6 +192,13 @@ pub struct Parameter {
     extent: Extent,
 }
 
+/// A key stands for its row.
+impl PartialEq for Parameter {
+    fn eq(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+}
+
 /// Why a value was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ValueError {
@@ -281,7 +288,13 @@ impl Parameter {
     ///
     /// What follows from something else is set by an offset on it.
     pub fn set(&self, scenario: &mut Scenario, value: f64) {
-        let Some(before) = self.value(scenario) else { return };
+        if let Some(before) = self.value(scenario) {
+            self.shift(scenario, before, value);
+        }
+    }
+
+    /// The same where the value before is known.
+    pub(super) fn shift(&self, scenario: &mut Scenario, before: f64, value: f64) {
         let change = value - before;
         let edited = &mut scenario.edited;
         match (self.place, &mut edited.study) {
@@ -356,6 +369,12 @@ impl Parameter {
             }
             Extent::Fixed { low, high } => low..=high,
         }
+    }
+
+    /// A change of it that one would notice \[SI\]: ten per cent of its size, or a sixtieth of its slider where it is near zero.
+    pub fn notable_change(&self, scenario: &Scenario) -> f64 {
+        let range = self.range(scenario);
+        (0.1 * self.get(scenario).abs()).max((range.end() - range.start()) / 60.0)
     }
 
     /// What [`Self::check`] accepts \[SI\].

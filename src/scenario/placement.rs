@@ -1,0 +1,304 @@
+//! A pole is dragged: which derivatives move, how far they get it, and why no further.
+
+use nalgebra::{Complex, Matrix4};
+use thiserror::Error;
+
+use super::parameters::{Page, Parameter};
+use super::{RowSensitivity, Scenario};
+use crate::flight::eigen::eigenvalues;
+use crate::flight::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
+use crate::flight::modes::Mode;
+use crate::flight::naming::ModeName;
+use crate::flight::sensitivity::sensitivity;
+
+/// A derivative that moves |λ| by less than this fraction for a notable change of its own doesn't move the pole.
+const STILL: f64 = 1e-6;
+/// Nearer to the real axis than this fraction of |λ|, a pair is about to meet on it.
+const ON_AXIS: f64 = 0.1;
+/// Nearer to another real root than this fraction of the way that is left, the two are about to meet.
+const MEETING: f64 = 0.1;
+/// A value this fraction of its range from an end is at that end.
+const AT_END: f64 = 1e-6;
+
+/// Steps in which a pole is followed from where it was, and halvings of a way that it can't go to the end.
+const FOLLOWED: u32 = 24;
+const HALVINGS: u32 = 10;
+
+/// What became of the question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed {
+    /// The aircraft with the chosen derivatives changed, and nothing else.
+    pub scenario: Scenario,
+    /// Where the pole is now \[1/s\].
+    pub lambda: Complex<f64>,
+    /// Where it was wanted \[1/s\]; of a real root, on the real axis.
+    pub wanted: Complex<f64>,
+    /// Why it stopped before it was there.
+    pub obstacle: Option<Obstacle>,
+    /// How often the model was evaluated.
+    pub evaluations: usize,
+}
+
+/// Why a pole stops before it is where it was wanted.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Obstacle {
+    /// Sliders are at their ends.
+    #[error("{} at the end of {} slider{}", among(.0), if .0.len() == 1 { "its" } else { "their" }, if .0.len() == 1 { "" } else { "s" })]
+    Ends(Vec<&'static Parameter>),
+    /// The pair would come to the real axis, where it is no pair any more.
+    #[error("this pair would meet on the real axis and part into two real roots")]
+    RealAxis,
+    /// The real root comes to another.
+    #[error("here it meets another real root; beyond, the two are an oscillation")]
+    Meeting,
+    /// One derivative moves a pole along one line.
+    #[error("{} alone moves this pole along one path: choose another derivative with it", plain(.0.symbol))]
+    OnePath(&'static Parameter),
+    /// The nearest place.
+    #[error("no mix of {} brings this pole nearer", list(.0))]
+    Nearest(Vec<&'static Parameter>),
+}
+
+/// Why nothing was tried.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum PlacementError {
+    /// No derivative is chosen that this aircraft has.
+    #[error("no derivative is chosen for it to move")]
+    NothingChosen,
+    /// The chosen ones don't move it.
+    #[error("{} no part in this mode: choose another", takes(.0))]
+    NothingMoves(Vec<&'static Parameter>),
+    /// The core has no answer.
+    #[error(transparent)]
+    Inverse(#[from] InverseError),
+}
+
+fn plain(symbol: &str) -> String {
+    symbol.replace(['{', '}'], "")
+}
+
+/// "C_mα", "C_mα and C_mq", "C_mα, C_mq and C_Lα".
+fn list(parameters: &[&'static Parameter]) -> String {
+    let symbols: Vec<String> = parameters.iter().map(|p| plain(p.symbol)).collect();
+    match symbols.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => symbols.concat(),
+    }
+}
+
+fn among(parameters: &[&'static Parameter]) -> String {
+    format!("{} {}", list(parameters), if parameters.len() == 1 { "is" } else { "are" })
+}
+
+fn takes(parameters: &[&'static Parameter]) -> String {
+    format!("{} {}", list(parameters), if parameters.len() == 1 { "has" } else { "have" })
+}
+
+impl Scenario {
+    /// Moves the parameters with these keys, as little as may be, so that the pole of `mode` comes to `target` \[1/s\], or as near as
+    /// it goes. `mode` is one of this scenario on its plane.
+    ///
+    /// A pair stays a pair, and a real root stays on the real axis. No slider leaves its range; one that was typed outside it may
+    /// stay there. What counts as little is [`Parameter::notable_change`].
+    pub fn place_pole(
+        &self,
+        mode: &Mode,
+        target: Complex<f64>,
+        keys: &[&str],
+    ) -> Result<Placed, PlacementError> {
+        let chosen: Vec<&'static Parameter> =
+            keys.iter().filter_map(|key| Parameter::find(key)).filter(|p| p.applies(self)).collect();
+        if chosen.is_empty() {
+            return Err(PlacementError::NothingChosen);
+        }
+        if !chosen.iter().any(|p| self.moves(mode, p)) {
+            return Err(PlacementError::NothingMoves(chosen));
+        }
+        let wanted = if mode.is_oscillatory() {
+            Complex::new(target.re, target.im.abs())
+        } else {
+            Complex::from(target.re)
+        };
+        let adjustable = |p: &&'static Parameter| {
+            let (value, range) = (p.get(self), p.range(self));
+            let (lower, upper) = (range.start().min(value), range.end().max(value));
+            Adjustable { value, lower, upper, scale: p.notable_change(self) }
+        };
+        let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
+        let with = |values: &[f64]| self.with_values(&chosen, &adjustables, values);
+        let model = &|values: &[f64]| Some(with(values).edited.models().ok()?.of(self.plane)?.a);
+        let (placement, lost) = placed_by_the_same_pole(model, &adjustables, mode.lambda, wanted)?;
+        let scenario = with(&placement.values);
+        let obstacle = placement
+            .out_of_reach
+            .and_then(|_| obstacle(&chosen, &adjustables, &placement, lost, model(&placement.values)));
+        let Placement { lambda, evaluations, .. } = placement;
+        Ok(Placed { scenario, lambda, wanted, obstacle, evaluations })
+    }
+
+    fn moves(&self, mode: &Mode, parameter: &Parameter) -> bool {
+        let Some(a_rate) = self.matrix_rate(parameter) else { return false };
+        let size = mode.lambda.norm().max(f64::MIN_POSITIVE);
+        // Where two roots meet there is no rate, and every change moves them.
+        sensitivity(mode, &a_rate)
+            .rate()
+            .is_none_or(|rate| rate.lambda.norm() * parameter.notable_change(self) > STILL * size)
+    }
+
+    /// The same with parameters at other values than their present ones.
+    fn with_values(&self, parameters: &[&'static Parameter], present: &[Adjustable], values: &[f64]) -> Self {
+        let mut moved = self.clone();
+        for (p, (before, value)) in parameters.iter().zip(present.iter().zip(values)) {
+            if *value != before.value {
+                p.shift(&mut moved, before.value, *value);
+            }
+        }
+        moved
+    }
+
+    /// The derivatives that a drag of a mode moves unless a person chooses others: those that a course would name. Where this
+    /// aircraft's mode has no such name, the two that move it most.
+    pub fn movers(
+        &self,
+        modes: &[Mode],
+        index: usize,
+        page: Page,
+        rows: &[RowSensitivity],
+    ) -> Vec<&'static str> {
+        use ModeName as Name;
+        let Some(mode) = modes.get(index) else { return Vec::new() };
+        let named: [&[&str]; 3] = match mode.naming.name {
+            Name::ShortPeriod | Name::ShortPeriodFastRoot | Name::ShortPeriodSlowRoot => {
+                [&["cm_alpha", "cm_q"], &["m_w", "m_q"], &["a_qw", "a_qq"]]
+            }
+            Name::Phugoid | Name::PhugoidFastRoot | Name::PhugoidSlowRoot => {
+                [&["cl", "cd"], &["z_u", "x_u"], &["a_wu", "a_uu"]]
+            }
+            Name::DutchRoll | Name::DutchRollMoreStableRoot | Name::DutchRollLessStableRoot => {
+                [&["cn_beta", "cn_r"], &["n_v", "n_r"], &["a_rv", "a_rr"]]
+            }
+            Name::RollSubsidence => [&["croll_p"], &["l_p"], &["a_pp"]],
+            Name::Spiral => [&["croll_beta", "cn_r"], &["l_v", "n_r"], &["a_pv", "a_rr"]],
+            Name::ThirdOscillatory | Name::Divergence | Name::CoupledRollSpiral => [&[], &[], &[]],
+        };
+        let named = Page::DERIVATIVES.iter().position(|other| *other == page).map_or(&[][..], |i| named[i]);
+        let all = by_strength(rows, index);
+        let known: Vec<&'static str> = all.iter().copied().filter(|key| named.contains(key)).collect();
+        if known.is_empty() { all.into_iter().take(2).collect() } else { known }
+    }
+}
+
+/// The placement, if it is the pole at `from` that has come there. Where that pole would have to part or meet another on the way,
+/// and it is another one that the search has found, the farthest place towards `wanted` that it does come to, and true.
+fn placed_by_the_same_pole(
+    model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    adjustables: &[Adjustable],
+    from: Complex<f64>,
+    wanted: Complex<f64>,
+) -> Result<(Placement, bool), InverseError> {
+    let place = |to: Complex<f64>| place_pole(model, adjustables, from, to);
+    let followed = |placement: &Placement| {
+        let end = follow(model, adjustables, &placement.values, from);
+        end.is_some_and(|end| (end - placement.lambda).norm() <= 1e-6 * placement.lambda.norm())
+    };
+    let whole = place(wanted)?;
+    if followed(&whole) {
+        return Ok((whole, false));
+    }
+    let (mut kept, mut reached, mut lost) = (place(from)?, 0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (reached + lost);
+        let tried = place(from + (wanted - from) * middle)?;
+        if followed(&tried) {
+            (kept, reached) = (tried, middle);
+        } else {
+            lost = middle;
+        }
+    }
+    // What is told is of the whole way.
+    let out_of_reach = whole.out_of_reach.or(Some(OutOfReach::Both));
+    Ok((Placement { wanted: whole.wanted, out_of_reach, ..kept }, true))
+}
+
+/// Where the pole at `from` goes while the parameters go straight to `values`; `None` where it leaves or meets the real axis.
+fn follow(
+    model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    adjustables: &[Adjustable],
+    values: &[f64],
+    from: Complex<f64>,
+) -> Option<Complex<f64>> {
+    let mut here = from;
+    for k in 1..=FOLLOWED {
+        let t = f64::from(k) / f64::from(FOLLOWED);
+        let between: Vec<f64> =
+            adjustables.iter().zip(values).map(|(p, end)| p.value + t * (end - p.value)).collect();
+        let distance = |pole: &Complex<f64>| (pole - here).norm();
+        let poles = eigenvalues(&model(&between)?).ok()?;
+        let upper = poles.into_iter().filter(|pole| pole.im >= 0.0);
+        let next = upper.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        if (next.im > 0.0) != (from.im > 0.0) {
+            return None;
+        }
+        here = next;
+    }
+    Some(here)
+}
+
+/// What keeps the pole from the target; `None` if nothing worth a word does: it is there to four digits. `lost` says that
+/// another pole would have come nearer, `a` is the matrix with the pole where it came to.
+fn obstacle(
+    chosen: &[&'static Parameter],
+    adjustables: &[Adjustable],
+    placement: &Placement,
+    lost: bool,
+    a: Option<Matrix4<f64>>,
+) -> Option<Obstacle> {
+    let Placement { values, lambda, wanted, .. } = placement;
+    let left = (wanted - lambda).norm();
+    if left <= 1e-4 * lambda.norm() {
+        return None;
+    }
+    let pair = lambda.im > 0.0;
+    let near_axis = lambda.im <= ON_AXIS * lambda.norm() && wanted.im <= lambda.im;
+    if pair && (lost || near_axis) {
+        return Some(Obstacle::RealAxis);
+    }
+    let gap = a.and_then(|a| gap_to_real_root(&a, *lambda));
+    if !pair && (lost || gap.is_some_and(|gap| gap < MEETING * left)) {
+        return Some(Obstacle::Meeting);
+    }
+    let is_at_end = |(_, (value, p)): &(&&'static Parameter, (&f64, &Adjustable))| {
+        let near = AT_END * (p.upper - p.lower);
+        **value - p.lower <= near || p.upper - **value <= near
+    };
+    let all = chosen.iter().zip(values.iter().zip(adjustables));
+    let ends: Vec<&'static Parameter> = all.filter(is_at_end).map(|(p, _)| *p).collect();
+    Some(match chosen {
+        _ if !ends.is_empty() => Obstacle::Ends(ends),
+        [only] if pair => Obstacle::OnePath(only),
+        _ => Obstacle::Nearest(chosen.to_vec()),
+    })
+}
+
+/// Distance from a real root to the nearest other one.
+fn gap_to_real_root(a: &Matrix4<f64>, lambda: Complex<f64>) -> Option<f64> {
+    let values = eigenvalues(a).ok()?;
+    let real = values.iter().filter(|other| other.im == 0.0);
+    let mut gaps: Vec<f64> = real.map(|other| (other.re - lambda.re).abs()).collect();
+    gaps.sort_by(f64::total_cmp);
+    // The first is the root itself.
+    gaps.get(1).copied()
+}
+
+/// Keys of the rows that move a mode, the strongest first.
+pub fn by_strength(rows: &[RowSensitivity], index: usize) -> Vec<&'static str> {
+    let strength = |row: &RowSensitivity| row.strengths.get(index).copied().flatten();
+    let mut moving: Vec<(&'static str, f64)> = rows
+        .iter()
+        // No strength: at a repeated root every row moves it.
+        .map(|row| (row.key, strength(row).unwrap_or(f64::MAX)))
+        .filter(|(_, strength)| *strength > STILL)
+        .collect();
+    moving.sort_by(|a, b| b.1.total_cmp(&a.1));
+    moving.into_iter().map(|(key, _)| key).collect()
+}

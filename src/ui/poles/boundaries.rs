@@ -1,0 +1,164 @@
+//! Boundaries of the levels of handling qualities: lines in the colour of their mode, hatched on the side that fails.
+
+use egui::{FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2};
+use nalgebra::Complex;
+
+use super::chart::Chart;
+use super::grid;
+use super::labels::Placement;
+use crate::flight::handling_qualities::Level;
+use crate::flight::level_boundaries::{Boundary, Line};
+use crate::number::trimmed;
+use crate::ui::theme::Palette;
+
+/// Distance and length of the strokes of the hatching.
+const HATCH: (f32, f32) = (7.0, 6.0);
+/// Half the length of a boundary that is set on real roots: it means something on the real axis only.
+const ON_AXIS: f32 = 30.0;
+
+/// A boundary on the screen.
+struct Drawn {
+    /// Its visible parts.
+    parts: Vec<Vec<Pos2>>,
+    /// Towards the failing side, at a point.
+    fails: Box<dyn Fn(Pos2) -> Vec2>,
+}
+
+fn drawn(boundary: &Boundary, chart: &Chart) -> Drawn {
+    let origin = chart.position(Complex::from(0.0));
+    // Towards larger ζ, ωₙ or σ.
+    let outward: Box<dyn Fn(Pos2) -> Vec2>;
+    let parts = match boundary.line {
+        Line::DampingRatio(zeta) => {
+            let side = (1.0 - zeta * zeta).sqrt() as f32;
+            // Across the ray, away from the imaginary axis; y grows downwards.
+            outward = Box::new(move |at| {
+                let up = if at.y < origin.y { 1.0 } else { -1.0 };
+                Vec2::new(-side, up * zeta as f32)
+            });
+            let [up, zero, down] = grid::rays(zeta, chart);
+            [chart.clipped([zero, up]), chart.clipped([zero, down])].concat()
+        }
+        Line::NaturalFrequency(wn) => {
+            outward = Box::new(move |at| (at - origin).normalized());
+            chart.clipped(grid::arc(wn, chart))
+        }
+        Line::RealPart(sigma) => {
+            outward = Box::new(|_| Vec2::RIGHT);
+            let end = if boundary.is_of_real_root() {
+                f64::from(ON_AXIS) * chart.per_point()
+            } else {
+                2.0 * chart.view.reach()
+            };
+            chart.clipped([Complex::new(sigma, end), Complex::new(sigma, -end)])
+        }
+    };
+    let sign = if boundary.above { -1.0 } else { 1.0 };
+    Drawn { parts, fails: Box::new(move |at| sign * outward(at)) }
+}
+
+fn strength(level: Level) -> f32 {
+    match level {
+        Level::One => 0.85,
+        Level::Two => 0.6,
+        Level::Three | Level::Beyond => 0.4,
+    }
+}
+
+/// Draws the lines.
+pub fn draw<'a>(
+    painter: &Painter,
+    chart: &Chart,
+    palette: &Palette,
+    boundaries: impl Iterator<Item = &'a Boundary>,
+) {
+    for boundary in boundaries {
+        let color = palette.mode(boundary.criterion.concerns()).gamma_multiply(strength(boundary.level));
+        let Drawn { parts, fails } = drawn(boundary, chart);
+        let hatch = Stroke::new(1.0, color.gamma_multiply(0.7));
+        for part in parts {
+            for at in spaced(&part, HATCH.0) {
+                let across = fails(at);
+                let along = Vec2::new(-across.y, across.x);
+                painter.line_segment([at, at + HATCH.1 * (across + 0.6 * along)], hatch);
+            }
+            painter.add(Shape::line(part, Stroke::new(1.4, color)));
+        }
+    }
+}
+
+/// Points of a line at equal distances.
+fn spaced(line: &[Pos2], distance: f32) -> Vec<Pos2> {
+    let mut points = Vec::new();
+    let mut ahead = 0.5 * distance;
+    for pair in line.windows(2) {
+        let way = pair[1] - pair[0];
+        let length = way.length();
+        while ahead <= length {
+            points.push(pair[0] + way * (ahead / length));
+            ahead += distance;
+        }
+        ahead -= length;
+    }
+    points
+}
+
+/// Keeps labels off the lines.
+pub fn keep_clear<'a>(
+    chart: &Chart,
+    placement: &mut Placement,
+    boundaries: impl Iterator<Item = &'a Boundary>,
+) {
+    for boundary in boundaries {
+        for at in drawn(boundary, chart).parts.iter().flat_map(|part| spaced(part, 8.0)) {
+            placement.keep_clear(Rect::from_center_size(at, Vec2::splat(5.0)));
+        }
+    }
+}
+
+/// Distance from a point of the screen to a boundary \[points\].
+pub fn distance(boundary: &Boundary, chart: &Chart, to: Pos2) -> f32 {
+    let parts = drawn(boundary, chart).parts;
+    parts.iter().flat_map(|part| spaced(part, 3.0)).map(|at| at.distance(to)).fold(f32::INFINITY, f32::min)
+}
+
+/// "Level 1: ζ 0.3".
+pub fn text(boundary: &Boundary) -> String {
+    let requirement = boundary.requirement;
+    let quantity = requirement.quantity;
+    format!(
+        "{}: {} {}{}",
+        boundary.levels(),
+        quantity.symbol(),
+        trimmed(requirement.limit, 3),
+        quantity.unit()
+    )
+}
+
+/// Writes what each line is, beside it on the side that keeps the limit, where there is room.
+pub fn labels<'a>(
+    painter: &Painter,
+    chart: &Chart,
+    palette: &Palette,
+    placement: &mut Placement,
+    boundaries: impl Iterator<Item = &'a Boundary>,
+) {
+    for boundary in boundaries {
+        let color = palette.mode(boundary.criterion.concerns());
+        let galley = painter.layout_no_wrap(text(boundary), FontId::proportional(10.0), color);
+        let Drawn { parts, fails } = drawn(boundary, chart);
+        let place = |at: Pos2| {
+            let keeps = -fails(at);
+            let half = 0.5 * galley.size();
+            // The box touches the line with the corner or side that is nearest to it.
+            Rect::from_center_size(
+                at + keeps * 5.5 + Vec2::new(keeps.x * half.x, keeps.y * half.y),
+                galley.size(),
+            )
+        };
+        let along = parts.iter().flat_map(|part| spaced(part, 12.0));
+        if let Some(place) = along.map(place).find(|place| placement.take(*place)) {
+            painter.galley(place.min, galley, color);
+        }
+    }
+}

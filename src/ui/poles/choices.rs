@@ -1,0 +1,194 @@
+//! What a person has asked the pole map for: approximations, levels, and which derivatives the drag of a pole moves.
+
+use egui::style::StyleModifier;
+use egui::text::LayoutJob;
+use egui::{Button, Checkbox, Popup, PopupCloseBehavior, Rect, RichText, ScrollArea, TextFormat, Ui, Vec2};
+
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::modes::Mode;
+use crate::flight::naming::ModeName;
+use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, by_strength};
+use crate::ui::derivatives::Rows;
+use crate::ui::symbol::Symbol;
+use crate::ui::theme::{self, Palette};
+
+/// Symbols written on the button; of more, how many.
+const WRITTEN: usize = 3;
+/// Length of the longest bar of the list \[points\].
+const BAR: f32 = 48.0;
+
+/// What is asked for.
+#[derive(Debug, Default)]
+pub struct Choices {
+    /// Whether the marks of textbook approximations are drawn.
+    pub approximations: bool,
+    /// Whether the boundaries of the levels are drawn.
+    pub levels: bool,
+    /// The mode that was last at hand, whose derivatives the button names.
+    pub subject: Option<ModeName>,
+    /// Keys that a person has chosen, by page and mode.
+    chosen: Vec<((Page, ModeName), Vec<&'static str>)>,
+}
+
+impl Choices {
+    /// Keys of what the drag of a mode moves.
+    pub fn movers(
+        &self,
+        scenario: &Scenario,
+        modes: &[Mode],
+        index: usize,
+        page: Page,
+        rows: &[RowSensitivity],
+    ) -> Vec<&'static str> {
+        let name = modes.get(index).map(|mode| mode.naming.name);
+        let chosen = self.chosen.iter().find(|((on, of), _)| *on == page && Some(*of) == name);
+        chosen.map_or_else(|| scenario.movers(modes, index, page, rows), |(_, keys)| keys.clone())
+    }
+
+    fn choose(&mut self, page: Page, name: ModeName, keys: Vec<&'static str>) {
+        self.chosen.retain(|(of, _)| *of != (page, name));
+        self.chosen.push(((page, name), keys));
+    }
+
+    /// Draws the buttons into the heading of the pane.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        scenario: &Scenario,
+        plane: &PlaneAnalysis,
+        rows: &[RowSensitivity],
+        page: Page,
+        size: Rows,
+    ) {
+        if size == Rows::Touch {
+            ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 14.0;
+        } else {
+            ui.spacing_mut().interact_size.y = 20.0;
+            ui.spacing_mut().button_padding = Vec2::new(7.0, 1.0);
+            ui.add_space(8.0);
+        }
+        let toggle = |ui: &mut Ui, on: &mut bool, text: &str, name: &str, hint: &str| {
+            let button = Button::selectable(*on, RichText::new(text).font(theme::small()));
+            let response = ui.add(button).accessible_name(name).on_hover_text(hint);
+            if response.clicked() {
+                *on = !*on;
+            }
+        };
+        toggle(
+            ui,
+            &mut self.approximations,
+            "≈",
+            "Textbook approximations",
+            "Where the textbook approximations put the poles: hollow diamonds",
+        );
+        ui.add_enabled_ui(scenario.task().is_some(), |ui| {
+            let task = scenario.task();
+            let hint = task.map_or("The source names no class of aircraft", |_| {
+                "Boundaries of the handling-quality levels of MIL-F-8785C, hatched on the side that fails"
+            });
+            toggle(ui, &mut self.levels, "Levels", "Level boundaries", hint);
+        });
+        self.movers_ui(ui, scenario, plane, rows, page);
+    }
+
+    /// Names what the drag moves, and lets a person choose.
+    fn movers_ui(
+        &mut self,
+        ui: &mut Ui,
+        scenario: &Scenario,
+        plane: &PlaneAnalysis,
+        rows: &[RowSensitivity],
+        page: Page,
+    ) {
+        let of_subject = plane.modes.iter().position(|mode| Some(mode.naming.name) == self.subject);
+        let mut index = of_subject.unwrap_or(0);
+        let Some(mode) = plane.modes.get(index) else { return };
+        let palette = Palette::of(ui);
+        let keys = self.movers(scenario, &plane.modes, index, page, rows);
+        let parameters: Vec<&'static Parameter> =
+            keys.iter().filter_map(|key| Parameter::find(key)).collect();
+        let text = |color| TextFormat::simple(theme::small(), color);
+        let mut job = LayoutJob::default();
+        job.append("Drag moves ", 0.0, text(palette.weak));
+        for (i, p) in parameters.iter().take(WRITTEN).enumerate() {
+            job.append(if i > 0 { ", " } else { "" }, 0.0, text(palette.text));
+            Symbol::parse(p.symbol).append_to(&mut job, 13.0, palette.text);
+        }
+        match parameters.len() {
+            0 => job.append("nothing", 0.0, text(palette.text)),
+            n if n > WRITTEN => job.append(&format!(" +{}", n - WRITTEN), 0.0, text(palette.text)),
+            _ => {}
+        }
+        job.append(" ▾", 0.0, text(palette.weak));
+        let plain: Vec<String> = parameters.iter().map(|p| Symbol::parse(p.symbol).plain()).collect();
+        let name = format!("Drag of the {} moves {}", mode.naming.name.text(), plain.join(", "));
+        let button = ui.add(Button::new(job).frame_when_inactive(false)).accessible_name(name);
+        let button = button.on_hover_text("Which derivatives change when a pole is dragged");
+        let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        // Boxes to tick have their outline, which the style of menus takes away.
+        let popup = popup.style(StyleModifier::default());
+        popup.show(|ui| {
+            ui.set_width(268.0);
+            ui.label(RichText::new("A pole that is dragged moves").font(theme::small()).color(palette.weak));
+            ui.horizontal_wrapped(|ui| {
+                for (i, mode) in plane.modes.iter().enumerate() {
+                    let text = RichText::new(mode.naming.name.text()).font(theme::small());
+                    let text = if i == index { text } else { text.color(palette.mode(mode.naming.name)) };
+                    if ui.add(Button::selectable(i == index, text)).clicked() {
+                        index = i;
+                        self.subject = Some(mode.naming.name);
+                    }
+                }
+            });
+            let Some(mode) = plane.modes.get(index) else { return };
+            let mut keys = self.movers(scenario, &plane.modes, index, page, rows);
+            let before = keys.clone();
+            ScrollArea::vertical().max_height(300.0).auto_shrink([false, true]).show(ui, |ui| {
+                for key in by_strength(rows, index) {
+                    let strength =
+                        rows.iter().find(|row| row.key == key).and_then(|row| row.strengths[index]);
+                    mover_ui(ui, key, strength, mode, &mut keys);
+                }
+            });
+            if keys != before {
+                self.choose(page, mode.naming.name, keys);
+            }
+        });
+    }
+}
+
+/// One derivative of the list: chosen or not, its name, and a bar for how strongly it moves the mode.
+fn mover_ui(
+    ui: &mut Ui,
+    key: &'static str,
+    strength: Option<f64>,
+    mode: &Mode,
+    keys: &mut Vec<&'static str>,
+) {
+    let Some(parameter) = Parameter::find(key) else { return };
+    let palette = Palette::of(ui);
+    ui.horizontal(|ui| {
+        let symbol = Symbol::parse(parameter.symbol);
+        let mut job = symbol.job(14.0, palette.text);
+        let name = TextFormat::simple(theme::small(), palette.weak);
+        job.append(&format!("  {}", parameter.name), 0.0, name);
+        job.wrap = egui::text::TextWrapping::truncate_at_width(186.0);
+        let mut chosen = keys.contains(&key);
+        let checkbox = ui.add(Checkbox::new(&mut chosen, job));
+        let checkbox = checkbox.accessible_name(format!("Drag moves {}", symbol.plain()));
+        if checkbox.changed() {
+            if chosen {
+                keys.push(key);
+            } else {
+                keys.retain(|other| *other != key);
+            }
+        }
+        // As the bars beside the sliders: a tenth of |λ| fills it, a square root keeps the weak ones visible.
+        let share = strength.map_or(1.0, |strength| (strength / 0.1).min(1.0).sqrt()) as f32;
+        let place = checkbox.rect.right_center().y;
+        let right = ui.max_rect().right();
+        let start = egui::pos2(right - BAR, place - 2.0);
+        let bar = Rect::from_min_size(start, Vec2::new((share * BAR).max(1.0), 4.0));
+        ui.painter().rect_filled(bar, 1.0, palette.mode(mode.naming.name));
+    });
+}

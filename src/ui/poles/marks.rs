@@ -1,0 +1,82 @@
+//! The marks of a pole map: crosses, rings, diamonds, dotted paths.
+
+use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
+use nalgebra::Complex;
+
+use super::chart::Chart;
+use crate::flight::approximations::Approximation;
+use crate::flight::locus::Locus;
+use crate::flight::modes::Mode;
+use crate::ui::theme::Palette;
+
+/// Half the size of the cross of a pole.
+pub const CROSS: f32 = 6.5;
+
+/// Does the same for a pole and, of a pair, its conjugate.
+pub fn both(pole: Complex<f64>, mut each: impl FnMut(Complex<f64>)) {
+    each(pole);
+    if pole.im != 0.0 {
+        each(pole.conj());
+    }
+}
+
+/// A cross.
+pub fn cross(painter: &Painter, at: Pos2, size: f32, width: f32, color: Color32) {
+    let arm = Vec2::splat(size * std::f32::consts::FRAC_1_SQRT_2);
+    let other = Vec2::new(arm.x, -arm.y);
+    painter.line_segment([at - arm, at + arm], Stroke::new(width, color));
+    painter.line_segment([at - other, at + other], Stroke::new(width, color));
+}
+
+/// The crosses of a mode.
+pub fn mode(painter: &Painter, chart: &Chart, palette: &Palette, mode: &Mode) {
+    let color = palette.mode(mode.naming.name);
+    both(mode.lambda, |pole| cross(painter, chart.position(pole), CROSS, 2.2, color));
+}
+
+/// A hollow ring: where a pole is or was in another state.
+pub fn ring(painter: &Painter, chart: &Chart, pole: Complex<f64>, color: Color32) {
+    both(pole, |pole| {
+        painter.circle_stroke(chart.position(pole), 5.0, Stroke::new(1.5, color));
+    });
+}
+
+/// A hollow diamond: what an approximation says.
+pub fn diamond(painter: &Painter, at: Pos2, color: Color32) {
+    let corner = |x: f32, y: f32| at + Vec2::new(x, y) * 6.0;
+    let corners = vec![corner(0.0, -1.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(-1.0, 0.0)];
+    painter.add(Shape::closed_line(corners, Stroke::new(1.5, color)));
+}
+
+/// The approximations that are marked: one a mode, where it gives a root.
+pub fn approximated(
+    approximations: &[Approximation],
+) -> impl Iterator<Item = (&Approximation, Complex<f64>)> {
+    approximations.iter().filter(|a| a.name.is_principal()).filter_map(|a| Some((a, a.root()?)))
+}
+
+/// The path of each pole in the colour of its mode, dotted, broken where there is no such aircraft.
+pub fn path(painter: &Painter, chart: &Chart, palette: &Palette, locus: &Locus) {
+    for (branch, name) in locus.names.iter().enumerate() {
+        let color = name.map_or(palette.ghost, |name| palette.mode(name)).gamma_multiply(0.65);
+        for run in locus.samples.split(|sample| sample.poles.is_none()) {
+            let poles = run.iter().filter_map(|sample| sample.poles).map(|poles| poles[branch]);
+            for part in chart.clipped(poles) {
+                painter.extend(Shape::dotted_line(&part, color, 4.0, 1.1));
+            }
+        }
+    }
+}
+
+/// Where a drag wants the pole that could not follow: a dashed ring, and a dashed line to it.
+pub fn target(painter: &Painter, from: Pos2, to: Pos2, color: Color32) {
+    const RADIUS: f32 = 8.0;
+    let way = to - from;
+    if way.length() > RADIUS {
+        let end = to - way.normalized() * RADIUS;
+        painter.extend(Shape::dashed_line(&[from, end], Stroke::new(1.2, color), 3.0, 3.0));
+    }
+    let corner = |k: i32| to + RADIUS * Vec2::angled(std::f32::consts::TAU * k as f32 / 24.0);
+    let circle: Vec<Pos2> = (0..=24).map(corner).collect();
+    painter.extend(Shape::dashed_line(&circle, Stroke::new(1.4, color), 3.5, 2.5));
+}

@@ -1,0 +1,460 @@
+//! The pole map: eigenvalues in the complex plane, the slow ones a second time at their own scale.
+//!
+//! | file | in one line |
+//! |---|---|
+//! | `chart` | between the plane and the screen |
+//! | `range` | what a map shows: fitted, or held where a person has brought it |
+//! | `grid` | half planes, rays, arcs |
+//! | `map` | one map and its labels |
+//! | `marks`, `trail`, `boundaries` | what is drawn on it |
+//! | `labels` | places for labels that never collide |
+//! | `near` | what the pointer is near, and its card |
+//! | `drag` | a pole under the hand |
+//! | `choices` | what a person has asked for |
+//!
+//! A drag edits the scenario before anything of a frame is drawn ([`PoleMap::edit`]), so that sliders, poles and responses are
+//! of one state.
+
+mod boundaries;
+mod chart;
+mod choices;
+mod drag;
+mod grid;
+mod labels;
+mod map;
+mod marks;
+mod near;
+mod range;
+mod trail;
+
+use egui::accesskit::{Live, Role};
+use egui::text::LayoutJob;
+use egui::{
+    Align2, Button, CursorIcon, EventFilter, Id, Key, Pos2, Rect, Response, RichText, Sense, Stroke,
+    StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
+};
+use nalgebra::Complex;
+
+pub use choices::Choices;
+pub use drag::Hand;
+
+use self::chart::Chart;
+use self::drag::{Held, Outcome, place};
+use self::map::{CAPTION, Extras, Map};
+use self::near::{Near, card_ui, near, nearest_pole, reach};
+use self::range::MapRange;
+use self::trail::Trail;
+use super::axis_range::round_up;
+use super::memo::Memo;
+use super::symbol::Symbol;
+use super::theme::{self, Palette};
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::level_boundaries::{Boundary, level_boundaries};
+use crate::flight::locus::Locus;
+use crate::flight::modes::Mode;
+use crate::number::significant;
+use crate::scenario::{Page, Parameter, Scenario};
+
+const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
+/// A narrower map has room for the first words of its name only, and for no zoom buttons: fingers pinch.
+const NARROW: f32 = 230.0;
+/// A press of a zoom button or key.
+const ZOOM_STEP: f64 = 1.5;
+/// Fine steps of an arrow key over the height of a map; with Shift ten times as much.
+const FINE_STEPS: f64 = 200.0;
+const COARSE: f64 = 10.0;
+
+/// What the pole map shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// The scenario on screen.
+    pub scenario: &'a Scenario,
+    /// What follows for its plane.
+    pub plane: &'a PlaneAnalysis,
+    /// The modes of the pinned state.
+    pub ghost: Option<&'a [Mode]>,
+    /// The slider that the person is at, and its path.
+    pub locus: Option<(&'static Parameter, &'a Locus)>,
+}
+
+/// How a person looks at the poles.
+#[derive(Debug, Default)]
+pub struct PoleMap {
+    /// What is asked for.
+    pub choices: Choices,
+    ranges: [MapRange; 2],
+    trail: Trail,
+    held: Option<Held>,
+    outcome: Option<Outcome>,
+    /// Both maps as they were on screen in the last frame, where the pointer is.
+    charts: Option<[Chart; 2]>,
+}
+
+fn ground_id(map: usize) -> Id {
+    Id::unique(("pole map", map))
+}
+
+fn pole_id(mode: usize) -> Id {
+    Id::unique(("pole", mode))
+}
+
+impl PoleMap {
+    /// Moves a pole of `scenario` that is dragged or moved by key; `memo` is what followed in the last frame.
+    pub fn edit(&mut self, ui: &Ui, scenario: &mut Scenario, memo: &Memo, page: Page) -> Hand {
+        if ui.input(|input| input.pointer.any_pressed() || input.events.iter().any(is_key_press)) {
+            self.outcome = None;
+        }
+        let (Some(charts), Some(plane), Some(followed)) = (self.charts, memo.plane(), memo.followed()) else {
+            return Hand::Away;
+        };
+        if self.held.is_some() {
+            return self.drag(ui, scenario, charts);
+        }
+        if !memo.is_of(scenario, page) {
+            return Hand::Away;
+        }
+        let movers = |choices: &Choices, index: usize| {
+            choices.movers(scenario, &plane.modes, index, page, &followed.sensitivities)
+        };
+        for (map, chart) in charts.iter().enumerate() {
+            let taken = ui.ctx().read_response(ground_id(map)).filter(Response::drag_started);
+            let Some(at) = taken.and_then(|_| ui.input(|input| input.pointer.press_origin())) else {
+                continue;
+            };
+            let Some((index, lower, _)) = nearest_pole(chart, &plane.modes, at, reach(ui)) else { continue };
+            let mode = plane.modes[index].clone();
+            let movers = movers(&self.choices, index);
+            let pole = if lower { mode.lambda.conj() } else { mode.lambda };
+            let grip = at - chart.position(pole);
+            self.choices.subject = Some(mode.naming.name);
+            self.held = Some(Held { map, start: scenario.clone(), mode, movers, grip, lower, wanted: None });
+            return Hand::Takes;
+        }
+        let focused = (0..plane.modes.len()).find(|&i| ui.memory(|memory| memory.has_focus(pole_id(i))));
+        if let Some((index, by)) = focused.and_then(|index| Some((index, stepped(ui)?))) {
+            let mode = &plane.modes[index];
+            let chart = charts[usize::from(slow_modes(&plane.modes).contains(&index))];
+            let step = round_step((chart.view.top - chart.view.bottom) / FINE_STEPS);
+            let (moved, outcome) =
+                place(scenario, mode, mode.lambda + by * step, &movers(&self.choices, index));
+            self.choices.subject = Some(mode.naming.name);
+            self.outcome = Some(outcome);
+            if let Some(moved) = moved {
+                *scenario = moved;
+            }
+        }
+        Hand::Away
+    }
+
+    /// Goes on with a drag.
+    fn drag(&mut self, ui: &Ui, scenario: &mut Scenario, charts: [Chart; 2]) -> Hand {
+        let Some(held) = &mut self.held else { return Hand::Away };
+        let (pointer, down, escape) = ui.input(|input| {
+            (input.pointer.interact_pos(), input.pointer.any_down(), input.key_pressed(Key::Escape))
+        });
+        // Another aircraft, another plane, an edit by someone else: not the pole that was taken.
+        let other = scenario.aircraft != held.start.aircraft || scenario.plane != held.start.plane;
+        if escape && !other {
+            scenario.edited = held.start.edited.clone();
+            self.outcome = None;
+        }
+        if escape || other {
+            self.held = None;
+            return Hand::LetsGo;
+        }
+        if let Some(pointer) = pointer {
+            let wanted = held.wanted(&charts[held.map], pointer);
+            if held.wanted != Some(wanted) {
+                held.wanted = Some(wanted);
+                let (moved, outcome) = place(&held.start, &held.mode, wanted, &held.movers);
+                self.outcome = Some(outcome);
+                if let Some(moved) = moved {
+                    scenario.edited = moved.edited;
+                }
+            }
+        }
+        if down {
+            return Hand::Holds;
+        }
+        self.held = None;
+        Hand::LetsGo
+    }
+
+    /// Draws both maps side by side.
+    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
+        let palette = Palette::of(ui);
+        let modes = &seen.plane.modes;
+        self.trail.observe(ui, modes);
+        let (rect, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let split = rect.left() + (0.6 * rect.width()).round();
+        let left = Rect::from_min_max(rect.min, Pos2::new(split - 5.0, rect.max.y));
+        let right = Rect::from_min_max(Pos2::new(split + 5.0, rect.min.y), rect.max);
+        let slow = slow_modes(modes);
+        let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
+        let all = (0..modes.len()).collect();
+        let maps = [
+            Map { name: NAMES[0], rect: left, ranged: all, home: fast, modes },
+            Map { name: NAMES[1], rect: right, ranged: slow.clone(), home: slow, modes },
+        ];
+        let charts: [Chart; 2] =
+            std::array::from_fn(|i| self.ranges[i].chart(ui, maps[i].wanted_view(), maps[i].plot_rect()));
+        self.charts = Some(charts);
+
+        let poles: Vec<Response> =
+            maps.iter().zip(&charts).flat_map(|(map, chart)| poles_ui(ui, map, chart)).collect();
+        let grounds: [Response; 2] =
+            std::array::from_fn(|i| self.ground_ui(ui, i, &maps[i], charts[i], modes));
+        let boundaries: Vec<Boundary> = seen
+            .scenario
+            .task()
+            .filter(|_| self.choices.levels)
+            .map_or_else(Vec::new, |task| level_boundaries(seen.plane, task));
+        let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, &boundaries);
+        let focused = poles.iter().position(Response::has_focus).and_then(|k| {
+            let order = maps.iter().zip(&charts).flat_map(|(map, chart)| on_map(map, chart));
+            order.collect::<Vec<usize>>().get(k).copied()
+        });
+        let lit = match (&self.held, &pointed) {
+            (Some(held), _) => modes.iter().position(|mode| mode.naming.name == held.mode.naming.name),
+            (None, Some((_, Near::Pole(i)))) => Some(*i),
+            _ => focused,
+        };
+        let sentence = self.outcome.as_ref().and_then(Outcome::sentence);
+        let taken = sentence.map(|sentence| sentence_ui(ui, &sentence, charts[0].rect, palette, false));
+        for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
+            let extras = Extras {
+                trail: &self.trail,
+                approximations: self.choices.approximations,
+                boundaries: &boundaries,
+                held: self.held.as_ref().filter(|held| held.map == i),
+                outcome: self.outcome.as_ref(),
+                lit,
+                inset: (i == 0).then_some(charts[1].view),
+                taken: taken.filter(|_| i == 0),
+            };
+            map.draw(ui, palette, chart, &seen, extras);
+        }
+        for response in poles.iter().filter(|response| response.has_focus()) {
+            ui.painter().circle_stroke(response.rect.center(), 13.0, Stroke::new(2.0, palette.accent));
+        }
+        if let Some(sentence) = self.outcome.as_ref().and_then(Outcome::sentence) {
+            sentence_ui(ui, &sentence, charts[0].rect, palette, true);
+        }
+        if self.held.is_none() {
+            let by_focus = poles.iter().find(|response| response.has_focus()).zip(focused);
+            if let Some((map, near)) = pointed {
+                let anchor = grounds[map].hover_pos().unwrap_or(grounds[map].rect.center());
+                card(&grounds[map], Rect::from_center_size(anchor, Vec2::splat(24.0)), &seen, near);
+            } else if let Some((response, index)) = by_focus {
+                card(response, response.rect, &seen, Near::Pole(index));
+            }
+        }
+    }
+
+    /// What the pointer is near, and on which map.
+    fn pointed<'a>(
+        &mut self,
+        ui: &Ui,
+        grounds: &[Response; 2],
+        charts: &[Chart; 2],
+        maps: &[Map<'_>; 2],
+        seen: &Seen<'a>,
+        boundaries: &'a [Boundary],
+    ) -> Option<(usize, Near<'a>)> {
+        let map = grounds.iter().position(|ground| ground.hover_pos().is_some())?;
+        let at = grounds[map].hover_pos()?;
+        let here = maps[map].boundaries(boundaries);
+        let near = near(&charts[map], seen, self.choices.approximations, here, at, reach(ui))?;
+        if let Near::Pole(index) = near {
+            ui.set_cursor_icon(if self.held.is_some() { CursorIcon::Grabbing } else { CursorIcon::Grab });
+            self.choices.subject = Some(seen.plane.modes[index].naming.name);
+        }
+        Some((map, near))
+    }
+
+    /// The ground of a map: what zooms and pans it, and the way back.
+    fn ground_ui(&mut self, ui: &mut Ui, i: usize, map: &Map<'_>, chart: Chart, modes: &[Mode]) -> Response {
+        let range = &mut self.ranges[i];
+        let middle = chart.at(chart.rect.center());
+        buttons_ui(ui, map, range, chart, middle);
+        let ground = ui.interact(chart.rect, ground_id(i), Sense::click_and_drag());
+        let description = map.describe();
+        ground.widget_info(|| WidgetInfo::labeled(Role::Image, true, description.as_str()));
+        let pole = |at: Option<Pos2>| at.and_then(|at| nearest_pole(&chart, modes, at, reach(ui)));
+        let pinch = ui.input(|input| input.multi_touch());
+        if let Some(pinch) = pinch.filter(|pinch| chart.rect.contains(pinch.center_pos)) {
+            range.zoom(chart, f64::from(pinch.zoom_delta), chart.at(pinch.center_pos));
+        } else if let Some(at) = ground.hover_pos() {
+            let factor = f64::from(ui.input(|input| input.zoom_delta()));
+            if factor != 1.0 {
+                range.zoom(chart, factor, chart.at(at));
+            }
+        }
+        if ground.dragged() && self.held.is_none() && pinch.is_none() {
+            range.pan(chart, -chart.across(ground.drag_motion()));
+        }
+        if ground.clicked() {
+            match pole(ground.interact_pointer_pos()) {
+                // A tap: its card stays until another place is tapped.
+                Some((index, ..)) => ui.memory_mut(|memory| memory.request_focus(pole_id(index))),
+                None => ground.request_focus(),
+            }
+        }
+        if ground.double_clicked() && pole(ground.interact_pointer_pos()).is_none() {
+            range.fit();
+        }
+        if ground.has_focus() {
+            ui.painter().rect_stroke(
+                chart.rect.expand(1.0),
+                4.0,
+                Stroke::new(1.0, Palette::of(ui).accent),
+                StrokeKind::Outside,
+            );
+            ui.input(|input| {
+                if input.key_pressed(Key::Plus) || input.key_pressed(Key::Equals) {
+                    range.zoom(chart, ZOOM_STEP, middle);
+                } else if input.key_pressed(Key::Minus) {
+                    range.zoom(chart, 1.0 / ZOOM_STEP, middle);
+                } else if input.key_pressed(Key::Num0) || input.key_pressed(Key::Home) {
+                    range.fit();
+                }
+            });
+        }
+        ground
+    }
+}
+
+fn is_key_press(event: &egui::Event) -> bool {
+    matches!(event, egui::Event::Key { pressed: true, .. })
+}
+
+/// The steps that arrow keys ask for.
+fn stepped(ui: &Ui) -> Option<Complex<f64>> {
+    let steps = ui.input(|input| {
+        let presses = |key| input.num_presses(key) as f64;
+        let steps = Complex::new(
+            presses(Key::ArrowRight) - presses(Key::ArrowLeft),
+            presses(Key::ArrowUp) - presses(Key::ArrowDown),
+        );
+        if input.modifiers.shift { steps * COARSE } else { steps }
+    });
+    (steps.norm() > 0.0).then_some(steps)
+}
+
+/// Steps in round numbers, so that a pole goes along readable values.
+fn round_step(step: f64) -> f64 {
+    round_up(step.max(f64::MIN_POSITIVE))
+}
+
+/// Indices of the modes below the widest gap between one |λ| and the next: those that the fast ones would crowd together.
+fn slow_modes(modes: &[Mode]) -> Vec<usize> {
+    let mut sorted: Vec<usize> = (0..modes.len()).collect();
+    let size = |i: usize| modes[i].lambda.norm();
+    sorted.sort_by(|&a, &b| size(a).total_cmp(&size(b)));
+    let gap = |pair: &[usize]| size(pair[1]) / size(pair[0]).max(f64::MIN_POSITIVE);
+    let widest = sorted.windows(2).enumerate().max_by(|a, b| gap(a.1).total_cmp(&gap(b.1)));
+    let count = widest.map_or(1, |(i, _)| i + 1);
+    sorted.truncate(count);
+    sorted
+}
+
+/// The modes that are reached by keyboard on a map as it is zoomed.
+fn on_map(map: &Map<'_>, chart: &Chart) -> Vec<usize> {
+    let visible = |i: &usize| chart.rect.contains(chart.position(map.modes[*i].lambda));
+    map.home.iter().copied().filter(visible).collect()
+}
+
+/// The poles, one after the other, for the keyboard: the pointer finds them by the ground.
+fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
+    let pole = |i: usize| {
+        let mode = &map.modes[i];
+        let size = Vec2::splat(2.0 * marks::CROSS + 4.0);
+        let place = Rect::from_center_size(chart.position(mode.lambda), size);
+        let response = ui.interact(place, pole_id(i), Sense::focusable_noninteractive());
+        let name = format!("{} pole, {} 1/s", mode.naming.name.text(), eigenvalue(mode.lambda));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_description("Arrow keys move it, with Shift further; Escape ends.");
+        });
+        if response.has_focus() {
+            let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+            ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+        }
+        response
+    };
+    on_map(map, chart).into_iter().map(pole).collect()
+}
+
+/// Zoom in and out, and back where that is not where the map is.
+fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, middle: Complex<f64>) {
+    let row = Rect::from_min_size(map.rect.min, Vec2::new(map.rect.width(), CAPTION - 1.0));
+    let layout = egui::Layout::right_to_left(egui::Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(row).layout(layout), |ui| {
+        ui.spacing_mut().item_spacing.x = 1.0;
+        ui.spacing_mut().button_padding = Vec2::new(6.0, 0.0);
+        ui.spacing_mut().interact_size.y = CAPTION - 1.0;
+        let weak = Palette::of(ui).weak;
+        let mut pressed = |text: &str, does: &str| {
+            let button = Button::new(RichText::new(text).font(theme::small()).color(weak));
+            let response =
+                ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
+            response.on_hover_text(does).clicked()
+        };
+        let roomy = map.rect.width() >= NARROW;
+        if roomy && pressed("+", "Zoom in") {
+            range.zoom(chart, ZOOM_STEP, middle);
+        }
+        if roomy && pressed("−", "Zoom out") {
+            range.zoom(chart, 1.0 / ZOOM_STEP, middle);
+        }
+        if !range.is_fitted() && pressed("Fit", "Show all again") {
+            range.fit();
+        }
+    });
+}
+
+/// Why a pole can't follow, at the foot of a map; gives its place, and draws it only where `draw` says so.
+fn sentence_ui(ui: &mut Ui, sentence: &str, map: Rect, palette: &Palette, draw: bool) -> Rect {
+    let margin = Vec2::new(8.0, 5.0);
+    let width = map.width() - 12.0 - 2.0 * margin.x;
+    let mut job = LayoutJob::default();
+    job.wrap.max_width = width;
+    for (i, word) in sentence.split(' ').enumerate() {
+        let text = |text: &str, job: &mut LayoutJob| {
+            job.append(text, 0.0, TextFormat::simple(theme::small(), palette.warning));
+        };
+        text(if i > 0 { " " } else { "" }, &mut job);
+        // A symbol may have a comma or a stop behind it.
+        let symbol = word.trim_end_matches([',', '.', ':']);
+        if symbol.contains('_') {
+            Symbol::parse(symbol).append_to(&mut job, 13.0, palette.warning);
+            text(&word[symbol.len()..], &mut job);
+        } else {
+            text(word, &mut job);
+        }
+    }
+    let galley = ui.painter().layout_job(job);
+    let size = galley.size() + 2.0 * margin;
+    let place = Align2::LEFT_BOTTOM.anchor_size(map.left_bottom() + Vec2::new(6.0, -6.0), size);
+    if draw {
+        ui.painter().rect_filled(place, 6.0, palette.warning_ground);
+        ui.painter().galley(place.min + margin, galley, palette.warning);
+        let response = ui.interact(place, Id::unique("pole sentence"), Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, sentence));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+    }
+    place
+}
+
+/// A card beside `anchor`.
+fn card(of: &Response, anchor: Rect, seen: &Seen<'_>, near: Near<'_>) {
+    Tooltip::always_open(of.ctx.clone(), of.layer_id, of.id, anchor)
+        .gap(6.0)
+        .show(|ui| card_ui(ui, seen, near));
+}
+
+/// "−2.51 ± 2.59j".
+pub fn eigenvalue(lambda: Complex<f64>) -> String {
+    let re = significant(lambda.re, 4);
+    if lambda.im > 0.0 { format!("{re} ± {}j", significant(lambda.im, 4)) } else { re }
+}
