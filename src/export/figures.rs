@@ -44,7 +44,7 @@ pub struct OutputFigures {
     pub rise_time: Option<f64>,
     /// Time after the step from which it stays within 2 % of the steady value \[s\].
     pub settling_time: Option<f64>,
-    /// How far it goes beyond the steady value, as a fraction of it.
+    /// How far it goes beyond the steady value, as a fraction of it; null where it hasn't and may yet.
     pub overshoot: Option<f64>,
 }
 
@@ -105,16 +105,23 @@ impl OutputFigures {
             }
             _ => None,
         };
+        let peak = PeakReport::of(values, dt);
+        // A steady value that is zero on paper is rounding.
+        let rounding = 1e-12 * peak.map_or(0.0, |peak| peak.value.abs());
+        let steady = steady.map(|steady| if steady.abs() <= rounding { 0.0 } else { steady });
         let figures = steady.and_then(|steady| step_figures(values, dt, START, steady));
         let Quantity { key, dimension, .. } = Quantity::of(output);
         Self {
             name: key,
             unit: dimension.si_symbol(),
-            peak: PeakReport::of(values, dt),
+            peak,
             steady,
             rise_time: figures.and_then(|figures| figures.rise_time),
             settling_time: figures.and_then(|figures| figures.settling_time),
-            overshoot: figures.map(|figures| figures.overshoot),
+            // None so far says nothing of a motion that is still on its way.
+            overshoot: figures
+                .filter(|figures| figures.overshoot > 0.0 || figures.settling_time.is_some())
+                .map(|figures| figures.overshoot),
         }
     }
 }

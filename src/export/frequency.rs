@@ -8,7 +8,7 @@ use super::aircraft::AircraftReport;
 use super::disturbance::{DISTURBANCES, channel_name, choose_disturbance, named, no_motion};
 use super::subject::{ExportError, Subject, plane_name};
 use super::sweep::MOST_POINTS;
-use crate::flight::frequency_response::{Peak, frequency_range, frequency_response, peaks};
+use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::{Quantity, Source};
@@ -16,8 +16,9 @@ use crate::scenario::{Quantity, Source};
 /// Frequencies \[rad/s\] that are accepted: no motion of an aircraft is beyond them.
 pub const FREQUENCIES: [f64; 2] = [1e-6, 1e6];
 
-/// Peaks are looked for on as many points at least, however few were asked for.
-const POINTS_FOR_PEAKS: usize = 2000;
+/// The response is followed over as many steps at least, however few were asked for, so that no peak and no turn of the phase is
+/// missed between two of them.
+const STEPS_FOLLOWED: usize = 2000;
 
 /// Of what to what, and where.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -121,9 +122,13 @@ pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<Freque
 
     let forced = scenario.driven(motion);
     let row = output.row(&motion.model, &forced);
-    let response = frequency_response(&forced, &row, 0, range, points);
-    let finer = frequency_response(&forced, &row, 0, range, points.max(POINTS_FOR_PEAKS));
-    let peaks = peaks(&forced, &row, 0, &finer, &analysed.modes);
+    let parts = STEPS_FOLLOWED.div_ceil(points - 1);
+    let followed = frequency_response(&forced, &row, 0, range, (points - 1) * parts + 1);
+    let peaks = peaks(&forced, &row, 0, &followed, &analysed.modes);
+    let mut among = followed.iter();
+    let wanted = frequency_response(&forced, &row, 0, range, points);
+    let response: Vec<&FrequencyPoint> =
+        wanted.iter().filter_map(|point| among.find(|finer| finer.frequency >= point.frequency)).collect();
     let (name, unit) = channel_name(plane, scenario.driven_channel());
     let input = Measured { name, unit };
     let output =

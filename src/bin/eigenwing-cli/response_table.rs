@@ -41,9 +41,12 @@ fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>) -> Strin
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let step = stride(time.len());
+    let columns: Vec<(&[f64], f64)> =
+        signals.iter().map(|signal| (signal.values.as_slice(), largest(&signal.values))).collect();
     let rows = (0..time.len()).step_by(step).map(|k| {
-        let values = signals.iter().map(|signal| signal.values.get(k).copied());
-        std::iter::once(time.get(k).copied()).chain(values).map(optional).collect()
+        let cell =
+            |&(values, most): &(&[f64], f64)| optional(values.get(k).map(|x| unless_rounding(*x, most)));
+        std::iter::once(optional(time.get(k).copied())).chain(columns.iter().map(cell)).collect()
     });
     let mut text = table(0, &heads, rows);
     if step > 1 {
@@ -89,18 +92,17 @@ fn figures(figures: &FiguresReport) -> String {
 
 /// How large the part of each mode becomes: a row an output, a column a mode.
 fn parts(outcomes: &[SplitOutcome]) -> String {
-    let largest = |values: &[f64]| {
-        number(values.iter().fold(0.0, |most, x| if x.abs() > f64::abs(most) { *x } else { most }))
-    };
     let splits: Vec<&SplitReport> = outcomes.iter().filter_map(SplitOutcome::split).collect();
     let mut text = String::new();
     if let Some(first) = splits.first() {
         let modes = first.parts.iter().map(|part| part.mode);
         let head: Vec<&str> = ["largest part"].into_iter().chain(modes).chain(["no mode"]).collect();
         let rows = splits.iter().map(|split| {
+            let all = split.parts.iter().map(|part| &part.values).chain([&split.rest]);
+            let peaks: Vec<f64> = all.map(|values| largest(values)).collect();
+            let most = largest(&peaks);
             let mut row = vec![heading(split.name, split.unit)];
-            row.extend(split.parts.iter().map(|part| largest(&part.values)));
-            row.push(largest(&split.rest));
+            row.extend(peaks.iter().map(|peak| number(unless_rounding(*peak, most))));
             row
         });
         text += &format!("\n{}", table(1, &head, rows));
@@ -111,4 +113,14 @@ fn parts(outcomes: &[SplitOutcome]) -> String {
         }
     }
     text
+}
+
+/// The value farthest from zero, with its sign.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
+}
+
+/// A value so much smaller than the others that it is zero but for rounding, as zero.
+fn unless_rounding(x: f64, others: f64) -> f64 {
+    if x.abs() <= 1e-12 * others.abs() { 0.0 } else { x }
 }

@@ -252,7 +252,7 @@ export interface OutputFigures {
   rise_time: number | null;
   /** Seconds after the step until it stays within 2 % of the steady value. */
   settling_time: number | null;
-  /** As a fraction of the steady value. */
+  /** As a fraction of the steady value; null where it hasn't gone beyond it and may yet. */
   overshoot: number | null;
 }
 
