@@ -28,6 +28,10 @@ fn answer(arguments: &[&str]) -> String {
 
 /// The text with every number to nine digits, and rounding of zero as zero.
 fn rounded(text: &str) -> String {
+    rounded_to(9, text)
+}
+
+fn rounded_to(digits: usize, text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
@@ -46,8 +50,8 @@ fn rounded(text: &str) -> String {
                     out = out.strip_suffix('-').unwrap_or(&out).to_owned();
                     out += "0";
                 } else {
-                    let nine: f64 = format!("{x:.8e}").parse().expect("a number that was just written");
-                    out += &nine.to_string();
+                    let few = format!("{x:.*e}", digits - 1);
+                    out += &few.parse::<f64>().expect("a number that was just written").to_string();
                 }
             }
             _ => out += token,
@@ -186,7 +190,8 @@ fn frequency_as_a_table() {
 #[test]
 fn frequency_as_json() {
     let arguments = ["frequency", "navion", "--disturbance", "aileron", "--points", "5", "--json"];
-    insta::assert_snapshot!(rounded(&answer(&arguments)));
+    // The place of a peak is known to seven digits or so: it is flat.
+    insta::assert_snapshot!(rounded_to(6, &answer(&arguments)));
 }
 
 #[test]

@@ -79,7 +79,7 @@ pub struct Measured {
 pub struct GainPeak {
     /// Name of the oscillation nearest in frequency.
     pub mode: &'static str,
-    /// Its angular frequency \[rad/s\].
+    /// Its angular frequency \[rad/s\], to seven digits or so: a maximum is flat.
     pub frequency: f64,
     /// Gain there.
     pub gain: f64,
