@@ -207,13 +207,13 @@ impl Input {
         };
         match *self {
             Self::Step { amplitude, start } => put(&[(0.0, amplitude)], start),
-            Self::Pulse { amplitude, start, duration } if !(duration <= 0.0) => {
+            Self::Pulse { amplitude, start, duration } if duration > 0.0 => {
                 put(&[(duration, amplitude), (0.0, 0.0)], start);
             }
-            Self::Doublet { amplitude, start, duration } if !(duration <= 0.0) => {
+            Self::Doublet { amplitude, start, duration } if duration > 0.0 => {
                 put(&[(duration, amplitude), (duration, -amplitude), (0.0, 0.0)], start);
             }
-            Self::ThreeTwoOneOne { amplitude: a, start, unit } if !(unit <= 0.0) => {
+            Self::ThreeTwoOneOne { amplitude: a, start, unit } if unit > 0.0 => {
                 put(&[(3.0 * unit, a), (2.0 * unit, -a), (unit, a), (unit, -a), (0.0, 0.0)], start);
             }
             _ => {}

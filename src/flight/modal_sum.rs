@@ -59,7 +59,7 @@ pub fn modal_sum(
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     for mode in modes {
         let name = mode.naming.name.text();
-        if !(mode.condition <= WORST_SPLIT) {
+        if mode.condition > WORST_SPLIT {
             return Err(SplitError::Dependent { name, condition: mode.condition });
         }
         if of_path && mode.lambda.norm() <= 1e-9 * fastest {
@@ -89,7 +89,7 @@ pub fn modal_sum(
 pub fn single_mode(mode: &Mode, angles: [Vector4<f64>; 2], amplitude: f64) -> Vector4<f64> {
     let seen = angles.map(|row| row.map(Complex::from).dot(&mode.shape));
     let largest = if seen[0].norm() >= seen[1].norm() { seen[0] } else { seen[1] };
-    if !(largest.norm() > 1e-12 * mode.shape.norm()) {
+    if largest.norm() <= 1e-12 * mode.shape.norm() {
         // A mode without any angle: of the speed alone.
         return mode.shape.map(|x| x.re) * amplitude;
     }

@@ -211,7 +211,7 @@ impl Flown<'_> {
         let trim = &self.motion.model.trim;
         let weight = derived.airframe.mass / study.reference.mass * trim.gravity / STANDARD_GRAVITY;
         let (sin_climb, cos_climb) = trim.gamma0.sin_cos();
-        if !(c.cl > 0.0) {
+        if c.cl <= 0.0 {
             return None;
         }
         let lift = weight * (cos_climb + load_change);

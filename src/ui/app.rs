@@ -3,26 +3,34 @@
 use std::sync::Arc;
 
 use egui::util::undoer::Undoer;
-use egui::{CentralPanel, Context, Frame, Key, Margin, Modifiers, Panel, RichText, ScrollArea, Ui};
+use egui::{
+    Button, CentralPanel, Context, Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Sense, Ui,
+    UiBuilder, Vec2,
+};
 
+use super::axis_range::round_up;
 use super::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
+use super::flight_pane::FlightPane;
+use super::keys::{self, Command, Pane};
 use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::poles::{Hand, PoleMap, Seen};
 use super::responses::{Responses, Studied};
-use super::theme::{self, Palette};
+use super::theme::{self, Look, Palette};
 use super::top_bar::{Bar, top_bar_ui};
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::{Choice, Disturbance, Page, Parameter, Scenario, Source, parameters};
+use crate::scenario::{Choice, Disturbance, Flown, Page, Parameter, Scenario, Source, parameters};
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
 /// Below this width the modes stand under the responses, not beside them.
 const TABLET: f32 = 1180.0;
+/// Between panes.
+const PANE_GAP: f32 = 10.0;
 
 /// Something a person asked for that isn't the edit of a number. Applied last in a frame, in one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,6 +67,7 @@ enum PhonePane {
     Derivatives,
     Modes,
     Response,
+    Aircraft,
 }
 
 /// How a person looks at the scenario: not part of what is studied.
@@ -66,6 +75,11 @@ enum PhonePane {
 struct View {
     poles: PoleMap,
     responses: Responses,
+    flight: FlightPane,
+    /// The pane that is over the whole page.
+    maximised: Option<Pane>,
+    /// Whether the sheet of keys is open.
+    help: bool,
     page: Page,
     /// What the sliders are narrowed down to.
     search: String,
@@ -75,8 +89,8 @@ struct View {
     touched: Option<&'static str>,
     phone_pane: PhonePane,
     details: Details,
-    /// What disturbed each plane before a mode was flown alone.
-    before_flight: [Option<Choice>; 2],
+    /// What disturbed each plane, and for how long it was watched \[s\], before a mode was flown alone.
+    before_flight: [Option<(Choice, f64)>; 2],
 }
 
 /// The page.
@@ -114,6 +128,9 @@ impl App {
             view: View {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
+                flight: FlightPane::default(),
+                maximised: None,
+                help: false,
                 page: Page::Coefficients,
                 search: String::new(),
                 explained: "cm_alpha",
@@ -147,10 +164,6 @@ impl App {
 
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
-        let mut action = shortcuts(ui);
-        let width = ui.content_rect().width();
-        let phone = width < PHONE;
-        let palette = Palette::of(ui);
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
         let mut hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         if hand == Hand::Takes {
@@ -158,6 +171,10 @@ impl App {
             self.history.add_undo(&self.scenario);
             hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         }
+        let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
+        let width = ui.content_rect().width();
+        let phone = width < PHONE;
+        let palette = Palette::of(ui);
         let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
         action = Panel::top("top bar")
             .frame(bar)
@@ -180,6 +197,9 @@ impl App {
             .inner
             .or(action);
         action = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, width >= TABLET) }.or(action);
+        if self.view.help {
+            self.view.help = keys::sheet_ui(ui);
+        }
         if let Some(action) = action {
             self.apply(action);
         }
@@ -192,6 +212,27 @@ impl App {
             Hand::Takes | Hand::Holds => {}
             Hand::Away => self.history.feed_state(ui.input(|input| input.time), &self.scenario),
         }
+    }
+
+    /// Does what a key asks for, or says what is to be done last in the frame.
+    fn obey(&mut self, ui: &Ui, command: Command) -> Option<Action> {
+        match command {
+            Command::Undo => return Some(Action::Undo),
+            Command::Redo => return Some(Action::Redo),
+            Command::Pin => return Some(if self.ghost.is_some() { Action::Unpin } else { Action::Pin }),
+            Command::CopyLink => return None,
+            Command::Play => self.view.flight.toggle(),
+            Command::Maximise(pane) => {
+                self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
+            }
+            Command::Restore => {
+                self.view.maximised = None;
+                self.view.help = false;
+            }
+            Command::Look => Look::of(ui.ctx()).next().set(ui.ctx()),
+            Command::Help => self.view.help = !self.view.help,
+        }
+        None
     }
 
     /// Sliders left, poles and responses in the middle, modes right or, on a tablet, below.
@@ -220,10 +261,19 @@ impl App {
         }
         let ground = Frame::new().fill(palette.background).inner_margin(Margin::same(10));
         let middle = |ui: &mut Ui| {
+            if let Some(pane) = self.view.maximised {
+                let room = ui.available_rect_before_wrap();
+                self.pane_ui(ui, pane, room);
+                return None;
+            }
             if wide {
-                let poles = 0.46 * ui.available_height();
-                self.pole_pane_ui(ui, poles);
-                self.response_pane_ui(ui, Rows::Dense);
+                let room = ui.available_rect_before_wrap();
+                let (above, response) = room.split_top_bottom_at_y(room.top() + 0.47 * room.height());
+                let (poles, aircraft) = above.split_left_right_at_fraction(0.56);
+                let gap = 0.5 * PANE_GAP;
+                self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, gap]));
+                self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, gap]));
+                self.pane_ui(ui, Pane::Response, inset(response, [0.0, 0.0, gap, 0.0]));
                 return None;
             }
             ScrollArea::vertical()
@@ -231,8 +281,13 @@ impl App {
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     let action = self.verdicts_ui(ui);
-                    self.pole_pane_ui(ui, 250.0);
-                    self.response_pane_ui(ui, Rows::Dense);
+                    for (pane, height) in
+                        [(Pane::Poles, 290.0), (Pane::Aircraft, 330.0), (Pane::Response, 480.0)]
+                    {
+                        let size = Vec2::new(ui.available_width(), height);
+                        let (_, room) = ui.allocate_space(size);
+                        self.pane_ui(ui, pane, room);
+                    }
                     ui.columns(2, |columns| {
                         self.cards_ui(|i| i % 2, columns);
                     });
@@ -259,6 +314,7 @@ impl App {
                     (PhonePane::Derivatives, "Derivatives"),
                     (PhonePane::Modes, "Modes"),
                     (PhonePane::Response, "Response"),
+                    (PhonePane::Aircraft, "Aircraft"),
                 ] {
                     ui.selectable_value(&mut self.view.phone_pane, pane, text);
                 }
@@ -275,6 +331,11 @@ impl App {
                     .auto_shrink(false)
                     .show(ui, |ui| self.modes_ui(ui))
                     .inner
+            }
+            PhonePane::Aircraft => {
+                self.view.flight.toolbar_ui(ui);
+                self.aircraft_ui(ui);
+                None
             }
             PhonePane::Response => {
                 let responses = |ui: &mut Ui| self.responses_ui(ui, Rows::Touch);
@@ -319,22 +380,69 @@ impl App {
         }
     }
 
-    fn pole_pane_ui(&mut self, ui: &mut Ui, height: f32) {
-        theme::pane(Palette::of(ui)).show(ui, |ui| {
-            ui.set_height(height);
-            ui.horizontal(|ui| {
-                theme::heading(ui, RichText::new("Pole map").heading(), 2);
-                self.pole_choices_ui(ui, Rows::Dense);
-            });
-            self.poles_ui(ui);
+    /// A pane in its frame over all of `room`; its heading takes it over the whole page by double click or its button.
+    fn pane_ui(&mut self, ui: &mut Ui, pane: Pane, room: Rect) {
+        let frame = theme::pane(Palette::of(ui));
+        let inner = room - frame.total_margin();
+        // Before what is drawn over it, so that controls on it come first.
+        let heading = Rect::from_min_size(room.min, Vec2::new(room.width(), 34.0));
+        let turned = ui.interact(heading, Id::unique(("heading", pane)), Sense::click()).double_clicked();
+        ui.painter().add(frame.paint(inner));
+        ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
+            ui.set_clip_rect(room.intersect(ui.clip_rect()));
+            match pane {
+                Pane::Poles => {
+                    ui.horizontal(|ui| {
+                        theme::heading(ui, RichText::new("Pole map").heading(), 2);
+                        self.pole_choices_ui(ui, Rows::Dense);
+                    });
+                    self.poles_ui(ui);
+                }
+                Pane::Aircraft => {
+                    ui.horizontal(|ui| {
+                        theme::heading(ui, RichText::new("Aircraft").heading(), 2);
+                        ui.add_space(4.0);
+                        self.view.flight.toolbar_ui(ui);
+                    });
+                    self.aircraft_ui(ui);
+                }
+                Pane::Response => self.responses_ui(ui, Rows::Dense),
+            }
         });
+        let maximised = self.view.maximised == Some(pane);
+        let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
+        let name = format!("{} over the whole page", pane.text());
+        let sign = RichText::new(if maximised { "▣" } else { "□" }).color(Palette::of(ui).weak);
+        let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
+        let hover =
+            if maximised { "Back to its place (Esc)".to_owned() } else { format!("{name} ({})", pane.key()) };
+        if button.on_hover_text(hover).clicked() || turned {
+            self.view.maximised = (!maximised).then_some(pane);
+        }
     }
 
-    fn response_pane_ui(&mut self, ui: &mut Ui, rows: Rows) {
-        theme::pane(Palette::of(ui)).show(ui, |ui| {
-            ui.set_min_height(ui.available_height().max(320.0) - 2.0);
-            self.responses_ui(ui, rows);
-        });
+    fn aircraft_ui(&mut self, ui: &mut Ui) {
+        let Self { memo, scenario, view, .. } = self;
+        memo.refresh(scenario, view.page);
+        if view.responses.shows_flight() {
+            memo.refresh_flight();
+        }
+        match memo.motion() {
+            Some(motion) => {
+                let flight = memo.flight().filter(|_| view.responses.shows_flight());
+                let flight = flight
+                    .and_then(|flight| flight.as_ref().ok())
+                    .filter(|flight| !flight.samples.is_empty());
+                let flown = Flown { scenario, motion, flight };
+                view.flight.advance(ui, flown.end());
+                if let Some(time) = view.responses.hovered() {
+                    view.flight.seek(time);
+                }
+                view.flight.show(ui, flown);
+                view.responses.set_time(view.flight.time());
+            }
+            None => problem_ui(ui, memo.followed(), scenario.plane),
+        }
     }
 
     fn poles_ui(&mut self, ui: &mut Ui) {
@@ -426,20 +534,25 @@ impl App {
         }
     }
 
-    /// Flies a mode alone, or goes back to what was before.
+    /// Flies a mode alone, long enough to see what becomes of it, or goes back to what was before.
     fn fly(&mut self, index: usize, flown: bool) {
         let plane = self.scenario.plane;
-        let choice = self.scenario.disturbance.choice_mut(plane);
+        let length = self.memo.plane().and_then(|plane| Some(seen_in(plane.modes.get(index)?)));
+        let disturbance = &mut self.scenario.disturbance;
         let before = &mut self.view.before_flight[plane as usize];
         if flown {
-            let standard = *Disturbance::default().choice(plane);
-            *choice = before.take().unwrap_or(standard);
+            let standard = Disturbance::default();
+            let (choice, time) = before.take().unwrap_or((*standard.choice(plane), standard.sizes.time));
+            *disturbance.choice_mut(plane) = choice;
+            disturbance.sizes.time = time;
             return;
         }
+        let choice = *disturbance.choice(plane);
         if choice.source != Source::OneMode {
-            *before = Some(*choice);
+            *before = Some((choice, disturbance.sizes.time));
         }
-        *choice = Choice { source: Source::OneMode, mode: index, ..*choice };
+        *disturbance.choice_mut(plane) = Choice { source: Source::OneMode, mode: index, ..choice };
+        disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
     }
 
     fn apply(&mut self, action: Action) {
@@ -473,6 +586,19 @@ impl App {
     }
 }
 
+/// A round time in which three periods of a mode, or most of its dying away or growing, are seen \[s\].
+fn seen_in(mode: &Mode) -> f64 {
+    let periods = mode.period().map_or(0.0, |period| 3.0 * period);
+    let halves = 5.0 * mode.time_to_half().or(mode.time_to_double()).unwrap_or(60.0);
+    let wanted = if periods > 0.0 { periods.max(halves.min(2.0 * periods)) } else { halves };
+    round_up(wanted.clamp(2.0, 240.0))
+}
+
+/// A rectangle smaller by so much on its left, right, top and bottom.
+fn inset(rect: Rect, [left, right, top, bottom]: [f32; 4]) -> Rect {
+    Rect::from_min_max(rect.min + Vec2::new(left, top), rect.max - Vec2::new(right, bottom))
+}
+
 fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> {
     ghost?;
     memo.plane().map(|plane| plane.modes.as_slice())
@@ -494,18 +620,4 @@ fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
     };
     let palette = Palette::of(ui);
     banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
-}
-
-fn shortcuts(ui: &Ui) -> Option<Action> {
-    ui.input_mut(|input| {
-        if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z)
-            || input.consume_key(Modifiers::COMMAND, Key::Y)
-        {
-            Some(Action::Redo)
-        } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
-            Some(Action::Undo)
-        } else {
-            None
-        }
-    })
 }

@@ -141,7 +141,9 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
 
 /// The name of a group, and its reset where something in it has been edited.
 fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static Parameter]) {
-    ui.horizontal(|ui| {
+    let row = Vec2::new(ui.available_width(), 16.0);
+    ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+        ui.spacing_mut().button_padding.y = 0.0;
         ui.spacing_mut().interact_size.y = 16.0;
         let title = RichText::new(group.text()).font(theme::semibold(11.5));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);

@@ -38,11 +38,6 @@ impl FlightPane {
         self.playback.time
     }
 
-    /// Whether it plays.
-    pub fn is_playing(&self) -> bool {
-        self.playback.is_playing
-    }
-
     /// Shows another moment \[s\], if it is not playing.
     pub fn seek(&mut self, time: f64) {
         if !self.playback.is_playing {
@@ -65,10 +60,14 @@ impl FlightPane {
         }
     }
 
+    /// Buttons of the standard views, and what to show.
+    pub fn toolbar_ui(&mut self, ui: &mut Ui) {
+        self.view.toolbar_ui(ui);
+    }
+
     /// Draws the aircraft at the time of the playback, over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, flown: Flown<'_>) {
         let palette = Palette::of(ui);
-        self.view.toolbar_ui(ui);
         let bar = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
         let room = (ui.available_height() - bar).max(80.0);
         let (time, exaggeration) = (self.playback.time, flown.exaggeration());

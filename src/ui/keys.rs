@@ -15,6 +15,23 @@ pub enum Pane {
     Response,
 }
 
+impl Pane {
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Poles => "Pole map",
+            Self::Aircraft => "Aircraft",
+            Self::Response => "Response",
+        }
+    }
+
+    /// The key that takes it over the page, as shown.
+    pub fn key(self) -> &'static str {
+        let of_pane = SHORTCUTS.iter().find(|shortcut| shortcut.command == Command::Maximise(self));
+        of_pane.map_or("", |shortcut| shortcut.shown)
+    }
+}
+
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
@@ -112,11 +129,12 @@ pub fn command(ui: &Ui) -> Option<Command> {
 /// The sheet of all keys, over the page. Says whether it is still wanted.
 pub fn sheet_ui(ui: &Ui) -> bool {
     let palette = Palette::of(ui);
-    let modal = Modal::new(egui::Id::unique("keys")).show(ui, |ui| {
+    let frame = egui::Frame::popup(ui.style()).inner_margin(16);
+    let modal = Modal::new(egui::Id::unique("keys")).frame(frame).show(ui, |ui| {
         ui.set_max_width(460.0);
         theme::heading(ui, RichText::new("Keys").heading().size(16.0), 2);
         let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
-        Grid::new("keys").spacing([18.0, 5.0]).show(ui, |ui| {
+        Grid::new("keys").spacing([18.0, 1.0]).show(ui, |ui| {
             for (keys, text) in own.chain(OF_CONTROLS) {
                 ui.label(RichText::new(keys).font(theme::semibold(12.0)));
                 ui.label(text);

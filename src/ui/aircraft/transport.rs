@@ -7,7 +7,9 @@ use crate::number::fixed;
 use crate::ui::theme::{self, Palette};
 
 /// Narrower than this the slider has no use.
-const NARROWEST: f32 = 60.0;
+const NARROWEST: f32 = 40.0;
+/// From this width on the end of the motion is told.
+const ROOMY: f32 = 330.0;
 
 /// The words for a rate.
 fn rate_text(rate: f64) -> &'static str {
@@ -36,25 +38,37 @@ pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
             playback.seek(0.0);
         }
 
-        let words = format!("{} of {} s", fixed(playback.time, 1), fixed(playback.end, 0));
+        // In a narrow pane the end of the motion is not told: the slider shows how far away it is.
+        let digits = fixed(playback.end, 1).len() as f32;
+        let (words, width) = if ui.available_width() < ROOMY {
+            (format!("{} s", fixed(playback.time, 1)), 7.0 * (digits + 2.0))
+        } else {
+            let words = format!("{} of {} s", fixed(playback.time, 1), fixed(playback.end, 0));
+            (words, 7.0 * (2.0 * digits + 5.0))
+        };
         let color = palette.weak;
         let galley = ui.painter().layout_no_wrap(words, theme::small(), color);
         // The words at their longest, the rates and the loop stand after the slider.
-        let digits = fixed(playback.end, 1).len() as f32;
-        let after = 7.0 * (2.0 * digits + 5.0) + 64.0 + 40.0 + 4.0 * ui.spacing().item_spacing.x;
+        let after = width + 56.0 + 36.0 + 4.0 * ui.spacing().item_spacing.x;
         ui.spacing_mut().slider_width = (ui.available_width() - after).max(NARROWEST);
         let mut time = playback.time;
-        let slider = Slider::new(&mut time, 0.0..=playback.end.max(1e-3)).show_value(false);
-        let response = ui.add(slider).accessible_name("Time of the playback in s");
+        let slider =
+            Slider::new(&mut time, 0.0..=playback.end.max(1e-3)).show_value(false).trailing_fill(true);
+        let rail = |ui: &mut Ui| {
+            // Its rail has the ground of a button, which is that of the pane.
+            ui.visuals_mut().widgets.inactive.bg_fill = palette.hairline;
+            ui.visuals_mut().selection.bg_fill = palette.accent;
+            ui.add(slider).accessible_name("Time of the playback in s")
+        };
+        let response = ui.scope(rail).inner;
         if response.changed() {
             playback.seek(time);
         }
-        let width = 7.0 * (2.0 * digits + 5.0);
         let (place, _) = ui.allocate_exact_size([width, galley.size().y].into(), egui::Sense::hover());
         ui.painter().galley(place.min, galley, color);
 
         let chosen = rate_text(playback.rate);
-        let chooser = ComboBox::from_id_salt("rate").selected_text(chosen).width(46.0).show_ui(ui, |ui| {
+        let chooser = ComboBox::from_id_salt("rate").selected_text(chosen).width(38.0).show_ui(ui, |ui| {
             for rate in RATES {
                 ui.selectable_value(&mut playback.rate, rate, rate_text(rate));
             }

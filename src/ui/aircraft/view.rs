@@ -39,6 +39,9 @@ impl AircraftView {
     /// Buttons of the standard views, and what to show.
     pub fn toolbar_ui(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().button_padding.x = 6.0;
+            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.style_mut().override_font_id = Some(theme::small());
             for view in StandardView::ALL {
                 let is_on = self.camera == view.camera();
                 let response = ui.selectable_label(is_on, view.text());

@@ -81,6 +81,16 @@ impl Responses {
         });
     }
 
+    /// Time under the pointer \[s\].
+    pub fn hovered(&self) -> Option<f64> {
+        self.time.hovered().filter(|_| self.tab == Tab::Time)
+    }
+
+    /// Where the cursor stands while the pointer is elsewhere \[s\].
+    pub fn set_time(&mut self, time: f64) {
+        self.time.played = Some(time).filter(|time| *time > 0.0);
+    }
+
     /// Whether the nonlinear flight is wanted.
     pub fn shows_flight(&self) -> bool {
         self.nonlinear && matches!(self.tab, Tab::Time | Tab::Phase)

@@ -97,7 +97,7 @@ impl<'a> Picture<'a> {
         let all = self.curves.iter().flat_map(Curve::drawn_part).map(coordinate);
         let start = if self.with_zero { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
         let (low, high) = all.fold(start, |(low, high), value| (low.min(value), high.max(value)));
-        if !(high - low > 1e-12) {
+        if high - low <= 1e-12 {
             let middle = if low.is_finite() { low } else { 0.0 };
             return middle - 1.0..=middle + 1.0;
         }

@@ -25,7 +25,9 @@ pub struct TimePlots {
     split: bool,
     plots: Vec<SmallPlot>,
     /// Time under the pointer \[s\].
-    cursor: Option<f64>,
+    hovered: Option<f64>,
+    /// Time of the playback \[s\].
+    pub played: Option<f64>,
 }
 
 impl Default for TimePlots {
@@ -33,14 +35,25 @@ impl Default for TimePlots {
         let first = |plane| Output::of(plane)[..5].to_vec();
         let mut longitudinal = first(Plane::Longitudinal);
         longitudinal[4] = Output::Height;
-        Self { chosen: [longitudinal, first(Plane::Lateral)], split: false, plots: Vec::new(), cursor: None }
+        Self {
+            chosen: [longitudinal, first(Plane::Lateral)],
+            split: false,
+            plots: Vec::new(),
+            hovered: None,
+            played: None,
+        }
     }
 }
 
 impl TimePlots {
-    /// Time at which the pointer is \[s\].
+    /// Time under the pointer \[s\].
+    pub fn hovered(&self) -> Option<f64> {
+        self.hovered
+    }
+
+    /// Where the cursor stands \[s\]: under the pointer, else where the playback is.
     pub fn cursor(&self) -> Option<f64> {
-        self.cursor
+        self.hovered.or(self.played)
     }
 
     /// Which outputs, and whether split.
@@ -109,13 +122,13 @@ impl TimePlots {
         }
         let places = grid(ui, pictures.len(), rows);
         self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);
-        let before = self.cursor;
-        let mut cursor = None;
+        let (cursor, before) = (self.cursor(), self.hovered);
+        let mut hovered = None;
         for ((plot, picture), place) in self.plots.iter_mut().zip(&pictures).zip(places) {
-            cursor = plot.show(ui, place, picture, before).or(cursor);
+            hovered = plot.show(ui, place, picture, cursor).or(hovered);
         }
-        self.cursor = cursor;
-        if before != cursor {
+        self.hovered = hovered;
+        if before != hovered {
             // The plots drawn before the pointer's see it in the next frame.
             ui.request_repaint();
         }
