@@ -3,6 +3,7 @@
 mod dimension;
 mod disturbance;
 mod experiment;
+pub mod link;
 mod outlook;
 pub mod parameters;
 mod placement;

@@ -16,6 +16,7 @@ use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::poles::{Hand, PoleMap, Seen};
 use super::responses::{Responses, Studied};
+use super::share::Share;
 use super::theme::{self, Look, Palette};
 use super::top_bar::{Bar, top_bar_ui};
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
@@ -23,12 +24,15 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
+use crate::scenario::link::{self, LinkView};
 use crate::scenario::{Choice, Disturbance, Flown, Page, Parameter, Scenario, Source, parameters};
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
 /// Below this width the modes stand under the responses, not beside them.
 const TABLET: f32 = 1180.0;
+/// From this width on two panes of a tablet stand beside each other.
+const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
 
@@ -49,6 +53,8 @@ pub enum Action {
     Undo,
     /// Go forward one step.
     Redo,
+    /// Copy the whole scene as a link.
+    CopyLink,
 }
 
 /// A pinned state.
@@ -103,6 +109,7 @@ pub struct App {
     memo: Memo,
     ghost_memo: Memo,
     history: Undoer<Scenario>,
+    share: Share,
     view: View,
 }
 
@@ -125,6 +132,7 @@ impl App {
             memo: Memo::default(),
             ghost_memo: Memo::default(),
             history: Undoer::default(),
+            share: Share::default(),
             view: View {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
@@ -162,6 +170,40 @@ impl App {
         self.memo.computations() + self.ghost_memo.computations()
     }
 
+    /// The whole scene as a link, without the `#`.
+    pub fn link(&self) -> String {
+        let usual = LinkView::of(&self.scenario);
+        let page = if self.view.page.is_of(&self.scenario) { self.view.page } else { usual.page };
+        let ghost = self.ghost.as_ref().map(|ghost| ghost.scenario.clone());
+        let Responses { tab, nonlinear, .. } = self.view.responses;
+        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost })
+    }
+
+    /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
+    pub fn open(&mut self, link: &str) {
+        let Some(opened) = link::read(link, &self.aircraft) else { return };
+        if self.computations() > 0 {
+            self.history.add_undo(&self.scenario);
+        }
+        self.ghost = opened.view.ghost.map(|scenario| Ghost { name: name(&scenario), scenario });
+        self.scenario = opened.scenario;
+        self.view.page = opened.view.page;
+        self.view.responses.tab = opened.view.tab;
+        self.view.responses.nonlinear = opened.view.nonlinear;
+        self.view.before_flight = [None; 2];
+        self.share.opened(opened.notices);
+    }
+
+    /// Tells the address of the page, which stands before the `#` of a copied link.
+    pub fn set_address(&mut self, address: String) {
+        self.share.address = address;
+    }
+
+    /// A sentence that a screen reader is to say, once.
+    pub fn take_unsaid(&mut self) -> Option<String> {
+        self.share.take_unsaid()
+    }
+
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
@@ -196,13 +238,15 @@ impl App {
             })
             .inner
             .or(action);
+        self.share.notices_ui(ui);
         action = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, width >= TABLET) }.or(action);
         if self.view.help {
             self.view.help = keys::sheet_ui(ui);
         }
         if let Some(action) = action {
-            self.apply(action);
+            self.apply(action, ui);
         }
+        self.share.copied_ui(ui);
         if !self.memo.is_of(&self.scenario, self.view.page) {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
@@ -220,7 +264,7 @@ impl App {
             Command::Undo => return Some(Action::Undo),
             Command::Redo => return Some(Action::Redo),
             Command::Pin => return Some(if self.ghost.is_some() { Action::Unpin } else { Action::Pin }),
-            Command::CopyLink => return None,
+            Command::CopyLink => return Some(Action::CopyLink),
             Command::Play => self.view.flight.toggle(),
             Command::Maximise(pane) => {
                 self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
@@ -281,15 +325,27 @@ impl App {
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     let action = self.verdicts_ui(ui);
-                    for (pane, height) in
-                        [(Pane::Poles, 290.0), (Pane::Aircraft, 330.0), (Pane::Response, 480.0)]
-                    {
-                        let size = Vec2::new(ui.available_width(), height);
-                        let (_, room) = ui.allocate_space(size);
+                    let width = ui.available_width();
+                    let beside = width >= BESIDE;
+                    if beside {
+                        let (_, above) = ui.allocate_space(Vec2::new(width, 330.0));
+                        let (poles, aircraft) = above.split_left_right_at_fraction(0.5);
+                        let gap = 0.5 * PANE_GAP;
+                        self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, 0.0]));
+                        self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, 0.0]));
+                    }
+                    let below: &[(Pane, f32)] = if beside {
+                        &[(Pane::Response, 480.0)]
+                    } else {
+                        &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
+                    };
+                    for &(pane, height) in below {
+                        let (_, room) = ui.allocate_space(Vec2::new(width, height));
                         self.pane_ui(ui, pane, room);
                     }
-                    ui.columns(2, |columns| {
-                        self.cards_ui(|i| i % 2, columns);
+                    let count = if beside { 2 } else { 1 };
+                    ui.columns(count, |columns| {
+                        self.cards_ui(|i| i % count, columns);
                     });
                     action
                 })
@@ -382,6 +438,8 @@ impl App {
 
     /// A pane in its frame over all of `room`; its heading takes it over the whole page by double click or its button.
     fn pane_ui(&mut self, ui: &mut Ui, pane: Pane, room: Rect) {
+        // A place of its own: what is put into it moves nothing outside.
+        let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
         let frame = theme::pane(Palette::of(ui));
         let inner = room - frame.total_margin();
         // Before what is drawn over it, so that controls on it come first.
@@ -555,11 +613,13 @@ impl App {
         disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
     }
 
-    fn apply(&mut self, action: Action) {
+    fn apply(&mut self, action: Action, ui: &Ui) {
         match action {
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
             Action::Turn(plane) => self.scenario.plane = plane,
-            Action::Pin => self.ghost = Some(Ghost { name: self.name(), scenario: self.scenario.clone() }),
+            Action::Pin => {
+                self.ghost = Some(Ghost { name: name(&self.scenario), scenario: self.scenario.clone() })
+            }
             Action::CompareWith(aircraft) => {
                 self.ghost = Some(Ghost {
                     name: aircraft.name.clone(),
@@ -577,13 +637,15 @@ impl App {
                     self.scenario = after.clone();
                 }
             }
+            Action::CopyLink => self.share.copy(ui, &self.link()),
         }
     }
+}
 
-    fn name(&self) -> String {
-        let edited = if self.scenario.is_edited() { ", edited" } else { "" };
-        format!("{}{edited}", self.scenario.aircraft.name)
-    }
+/// What a pinned state is called.
+fn name(scenario: &Scenario) -> String {
+    let edited = if scenario.is_edited() { ", edited" } else { "" };
+    format!("{}{edited}", scenario.aircraft.name)
 }
 
 /// A round time in which three periods of a mode, or most of its dying away or growing, are seen \[s\].

@@ -19,17 +19,19 @@ pub struct AxisRange {
 impl AxisRange {
     /// The range to draw now, on its way to `wanted`.
     ///
-    /// While a pointer button is down it keeps still; with reduced motion it jumps. Asks for another frame only
-    /// until it has arrived.
+    /// While a pointer button is down it keeps still, and grows only as far as what is shown would leave it; with reduced
+    /// motion it jumps. Asks for another frame only until it has arrived.
     pub fn toward(&mut self, ui: &Ui, wanted: RangeInclusive<f64>) -> RangeInclusive<f64> {
         let (low, high) = wanted.into_inner();
         let Some((shown_low, shown_high)) = self.shown else {
             self.shown = Some((low, high));
             return low..=high;
         };
-        if ui.input(|input| input.pointer.any_down()) {
-            return shown_low..=shown_high;
-        }
+        let (low, high) = if ui.input(|input| input.pointer.any_down()) {
+            (low.min(shown_low), high.max(shown_high))
+        } else {
+            (low, high)
+        };
         let span = (high - low).max(shown_high - shown_low);
         let distance = (low - shown_low).abs().max((high - shown_high).abs());
         let next = if distance <= ARRIVED * span || ui.style().animation_time == 0.0 {

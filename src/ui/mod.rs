@@ -14,6 +14,7 @@ mod number_field;
 mod phasors;
 mod poles;
 mod responses;
+mod share;
 mod slider;
 mod symbol;
 mod theme;

@@ -1,4 +1,4 @@
-//! The top bar: which aircraft, what to compare with, back and forth, theme.
+//! The top bar: which aircraft, what to compare with, a link to share, back and forth, theme.
 
 use std::sync::Arc;
 
@@ -132,6 +132,8 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         Some(ghost) => tool("Unpin", &format!("Unpin “{}”", ghost.name), true, Action::Unpin),
         None => tool("Pin ghost", "Pin this state, to compare what comes next with it", true, Action::Pin),
     }
+    let share = if bar.narrow { "Share" } else { "Share link" };
+    tool(share, "Share link: copy the whole scene as a link (key L)", true, Action::CopyLink);
     if let Some(ghost) = bar.ghost
         && bar.roomy
     {

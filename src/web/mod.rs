@@ -1,5 +1,6 @@
-//! The browser: starting on the page's canvas, telling the page how it went, the JavaScript handle.
+//! The browser: starting on the page's canvas, telling the page how it went, the address bar, the JavaScript handle.
 
+mod address;
 pub mod mirror;
 
 use std::any::Any;
@@ -8,6 +9,8 @@ use eframe::{WebOptions, WebRunner};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Event, HtmlCanvasElement};
+
+use address::AddressBar;
 
 use crate::export;
 use crate::ui::App;
@@ -40,12 +43,13 @@ async fn run() -> Result<(), JsValue> {
     let runner = WebRunner::new();
     offer_handle(&runner)?;
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
-        let app = App::new(&cc.egui_ctx)?;
+        let mut app = App::new(&cc.egui_ctx)?;
+        let address = AddressBar::start(&mut app);
         if reduced_motion {
             cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
         }
         cc.egui_ctx.add_plugin(mirror::Mirror);
-        Ok(Box::new(Page { app, frames: 0 }))
+        Ok(Box::new(Page { app, address, frames: 0 }))
     });
     runner.start(canvas, WebOptions::default(), create).await
 }
@@ -76,6 +80,7 @@ fn failed(sentence: &str) {
 
 struct Page {
     app: App,
+    address: AddressBar,
     frames: u32,
 }
 
@@ -87,7 +92,12 @@ impl Page {
 
 impl eframe::App for Page {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        self.address.read(&mut self.app);
         self.app.ui(ui);
+        self.address.follow(ui, &self.app);
+        if let Some(sentence) = self.app.take_unsaid() {
+            mirror::announce(&sentence);
+        }
         // The second frame begins once the first is on screen.
         match self.frames {
             0 => ui.request_repaint(),

@@ -55,7 +55,8 @@ after(async () => {
 });
 
 // Options: `viewport`, `colorScheme`, `touch`; `flags` for the browser; `path` of another page ("example/") and `fragment`
-// of the address ("#v=1&ac=navion"); `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
+// of the address ("#v=1&ac=navion"); `before`, a
+// function run in the page before its scripts; `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
 // Closes itself when the test ends.
 export async function open(t, options = {}) {
   const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false } = options;
@@ -105,6 +106,8 @@ export async function open(t, options = {}) {
       }
     }
   });
+
+  if (options.before) await page.addInitScript(options.before);
 
   const url = server.url + (options.path ?? "") + (options.fragment ?? "");
   await page.goto(url, { waitUntil: options.waitUntil ?? "load" });

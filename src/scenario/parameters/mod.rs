@@ -1,6 +1,7 @@
 //! The one table of adjustable quantities. A row is a slider, a name for screen readers, and a range that tests walk to
 //! both ends. One file a page of sliders.
 
+mod added;
 mod coefficients;
 mod dimensional;
 mod disturbance;
@@ -322,42 +323,27 @@ impl Parameter {
 
     /// Takes back what was done to it: the value of the aircraft's file, or no offset on what follows from the rest.
     pub fn reset(&self, scenario: &mut Scenario) {
-        let offsets = &mut scenario.edited.offsets;
-        match self.place {
-            Place::LongitudinalDerivative(of) => *of(&mut offsets.longitudinal) = 0.0,
-            Place::LateralDerivative(of) => *of(&mut offsets.lateral) = 0.0,
-            Place::A(plane, row, column, _) => offsets.matrices_mut(plane).a[(row, column)] = 0.0,
-            Place::B(plane, row, column) => offsets.matrices_mut(plane).b[(row, column)] = 0.0,
-            _ => {
-                let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
-                self.set(scenario, reference);
-            }
+        if self.added(scenario).is_some() {
+            self.set_added(scenario, 0.0);
+        } else {
+            let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
+            self.set(scenario, reference);
         }
     }
 
     /// The value that [`Self::reset`] leads to \[SI\].
     pub fn reference(&self, scenario: &Scenario) -> f64 {
-        let offset = match self.place {
-            Place::LongitudinalDerivative(of) => read(of, &scenario.edited.offsets.longitudinal),
-            Place::LateralDerivative(of) => read(of, &scenario.edited.offsets.lateral),
-            Place::A(plane, row, column, sign) => {
-                sign * scenario.edited.offsets.matrices(plane).a[(row, column)]
-            }
-            Place::B(plane, row, column) => scenario.edited.offsets.matrices(plane).b[(row, column)],
-            _ => return self.get(&Scenario::new(scenario.aircraft.clone())),
-        };
-        self.get(scenario) - offset
+        match self.added(scenario) {
+            Some(offset) => self.get(scenario) - offset,
+            None => self.get(&Scenario::new(scenario.aircraft.clone())),
+        }
     }
 
     /// Whether it differs from its reference.
     pub fn is_edited(&self, scenario: &Scenario) -> bool {
-        let offsets = &scenario.edited.offsets;
-        match self.place {
-            Place::LongitudinalDerivative(of) => read(of, &offsets.longitudinal) != 0.0,
-            Place::LateralDerivative(of) => read(of, &offsets.lateral) != 0.0,
-            Place::A(plane, row, column, _) => offsets.matrices(plane).a[(row, column)] != 0.0,
-            Place::B(plane, row, column) => offsets.matrices(plane).b[(row, column)] != 0.0,
-            _ => self.get(scenario) != self.get(&Scenario::new(scenario.aircraft.clone())),
+        match self.added(scenario) {
+            Some(offset) => offset != 0.0,
+            None => self.get(scenario) != self.get(&Scenario::new(scenario.aircraft.clone())),
         }
     }
 
@@ -405,10 +391,18 @@ impl Parameter {
 
     /// Accepts or refuses a value \[SI\] that was typed or came from outside.
     pub fn check(&self, scenario: &Scenario, value: f64) -> Result<f64, ValueError> {
+        self.check_within(scenario, value, self.accepted(scenario))
+    }
+
+    fn check_within(
+        &self,
+        scenario: &Scenario,
+        value: f64,
+        accepted: RangeInclusive<f64>,
+    ) -> Result<f64, ValueError> {
         if !value.is_finite() {
             return Err(ValueError::NotFinite);
         }
-        let accepted = self.accepted(scenario);
         if accepted.contains(&value) {
             return Ok(value);
         }

@@ -17,39 +17,18 @@ use crate::flight::modes::Mode;
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
+use crate::scenario::link::Tab;
 use crate::scenario::{Quantity, Scenario};
 
 pub use studied::Studied;
 
-/// In which way the motion is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Tab {
-    #[default]
-    Time,
-    Phase,
-    Frequency,
-    Figures,
-}
-
-impl Tab {
-    const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Figures];
-
-    const fn text(self) -> &'static str {
-        match self {
-            Self::Time => "Time",
-            Self::Phase => "Phase",
-            Self::Frequency => "Frequency",
-            Self::Figures => "Figures",
-        }
-    }
-}
-
 /// The pane as a person has set it up; nothing of it is studied.
 #[derive(Debug, Default)]
 pub struct Responses {
-    tab: Tab,
+    /// In which way the motion is shown.
+    pub tab: Tab,
     /// Whether the nonlinear flight is drawn beside the linear motion.
-    nonlinear: bool,
+    pub nonlinear: bool,
     time: time::TimePlots,
     phase: phase::PhasePlots,
     frequency: frequency::FrequencyPlots,

@@ -1,0 +1,289 @@
+//! The whole scene as text for an address bar: `v=1&ac=navion&speed=60&cm_alpha=-0.5`.
+//!
+//! One codec serves the address bar, the copied link and the last session. Its keys are listed in `docs/LINKS.md`.
+//!
+//! * Only what differs is written: from the aircraft's file, and from the first disturbance a person sees.
+//! * A key is a parameter's key of the table, or a word of [`words`]; its meaning and its unit never change. The unit is the one
+//!   on screen, with lengths in metres.
+//! * `add.` before the key of a derivative or matrix entry is what is added to the value that follows from the rest, so the order
+//!   of a link doesn't matter. Without it the key sets the value itself, after everything else: for links written by hand.
+//! * `pin.` before a key belongs to the pinned state, whose disturbance is always that of the scene.
+//! * Reading is total. What can't be used is left out, and a [`Notice`] says so.
+
+mod notice;
+mod number;
+mod pieces;
+mod words;
+
+use std::sync::Arc;
+
+pub use notice::Notice;
+pub use words::Tab;
+
+use super::{Page, Parameter, Scenario, Shape, parameters};
+use crate::content::{Aircraft, LengthUnit};
+use crate::flight::plane::Plane;
+use pieces::Pieces;
+
+/// The version that is written. It rises when a link of this kind can't be understood any more by what came before.
+const VERSION: u32 = 1;
+
+/// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
+pub const LONGEST: usize = 10_000;
+
+/// What a link carries of how a person looks at the scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkView {
+    /// The page of sliders.
+    pub page: Page,
+    /// In which way the response is shown.
+    pub tab: Tab,
+    /// Whether the nonlinear flight is drawn beside the linear motion.
+    pub nonlinear: bool,
+    /// The pinned state. Its disturbance and plane are those of the scene.
+    pub ghost: Option<Scenario>,
+}
+
+/// What a link leads to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opened {
+    /// What is studied.
+    pub scenario: Scenario,
+    /// How it is looked at.
+    pub view: LinkView,
+    /// What was left out, and why.
+    pub notices: Vec<Notice>,
+}
+
+impl LinkView {
+    /// The view that a link without a word about it leads to.
+    pub fn of(scenario: &Scenario) -> Self {
+        Self { page: Page::of(scenario), tab: Tab::default(), nonlinear: false, ghost: None }
+    }
+}
+
+/// The scene as a link, without the `#`.
+pub fn write(scenario: &Scenario, view: &LinkView) -> String {
+    let mut pieces = vec![("v".to_owned(), VERSION.to_string())];
+    write_aircraft(scenario, "", &mut pieces);
+    if scenario.plane != Plane::Longitudinal {
+        pieces.push(("plane".to_owned(), words::plane(scenario.plane).to_owned()));
+    }
+    write_disturbance(scenario, &mut pieces);
+    let usual = LinkView::of(scenario);
+    if view.page != usual.page
+        && let Some(word) = words::word_of(&words::PAGES, view.page)
+    {
+        pieces.push(("page".to_owned(), word.to_owned()));
+    }
+    if view.tab != usual.tab
+        && let Some(word) = words::word_of(&words::TABS, view.tab)
+    {
+        pieces.push(("tab".to_owned(), word.to_owned()));
+    }
+    if view.nonlinear != usual.nonlinear
+        && let Some(word) = words::word_of(&words::FLIGHTS, view.nonlinear)
+    {
+        pieces.push(("flight".to_owned(), word.to_owned()));
+    }
+    if let Some(ghost) = &view.ghost {
+        write_aircraft(ghost, words::PINNED, &mut pieces);
+    }
+    let pieces: Vec<String> = pieces.into_iter().map(|(key, value)| format!("{key}={value}")).collect();
+    pieces.join("&")
+}
+
+/// The aircraft and what was done to it.
+fn write_aircraft(scenario: &Scenario, prefix: &str, pieces: &mut Vec<(String, String)>) {
+    pieces.push((format!("{prefix}ac"), scenario.aircraft.key.clone()));
+    let reference = Scenario::new(scenario.aircraft.clone());
+    for p in parameters().filter(|p| p.page != Page::Disturbance) {
+        let (key, value, usual) = match p.added(scenario) {
+            Some(offset) => (format!("{prefix}{}{}", words::ADDED, p.key), offset, 0.0),
+            None => (format!("{prefix}{}", p.key), p.get(scenario), p.get(&reference)),
+        };
+        if value != usual {
+            pieces.push((key, number::write(value, unit(p))));
+        }
+    }
+}
+
+fn write_disturbance(scenario: &Scenario, pieces: &mut Vec<(String, String)>) {
+    let reference = Scenario::new(scenario.aircraft.clone());
+    for plane in [Plane::Longitudinal, Plane::Lateral] {
+        let (choice, usual) = (scenario.disturbance.choice(plane), reference.disturbance.choice(plane));
+        let shapes = |shape: Shape| words::word_of(&words::SHAPES, shape);
+        let differing = [
+            (
+                "source",
+                (choice.source != usual.source).then(|| words::word_of(&words::SOURCES, choice.source)),
+            ),
+            ("shape", (choice.control_shape != usual.control_shape).then(|| shapes(choice.control_shape))),
+            ("gust", (choice.gust_shape != usual.gust_shape).then(|| shapes(choice.gust_shape))),
+        ];
+        for (key, word) in differing {
+            if let Some(word) = word.flatten() {
+                pieces.push((format!("{}.{key}", words::plane(plane)), word.to_owned()));
+            }
+        }
+        if choice.mode != usual.mode {
+            pieces.push((format!("{}.mode", words::plane(plane)), (choice.mode + 1).to_string()));
+        }
+    }
+    for p in parameters().filter(|p| p.page == Page::Disturbance) {
+        if p.get(scenario) != p.get(&reference) {
+            pieces.push((p.key.to_owned(), number::write(p.get(scenario), unit(p))));
+        }
+    }
+}
+
+/// One of a key's unit in SI: that on screen, but never in feet, so that it is the same for every aircraft.
+fn unit(parameter: &Parameter) -> f64 {
+    parameter.dimension.in_si(LengthUnit::Metre)
+}
+
+/// Opens a link, with or without its `#` and what stands before that; `None` only without a single aircraft.
+pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
+    let mut pieces = Pieces::split(link);
+    read_version(&mut pieces);
+    let mut scenario = Scenario::new(aircraft.first()?.clone());
+    match pieces.take("ac") {
+        None => read_edits(&mut pieces, "", &mut scenario),
+        Some(key) => match aircraft.iter().find(|aircraft| aircraft.key == key) {
+            Some(found) => {
+                scenario = Scenario::new(found.clone());
+                read_edits(&mut pieces, "", &mut scenario);
+            }
+            None => {
+                // Numbers of one aircraft make no sense on another.
+                let edited = take_edits(&mut pieces, "");
+                let instead = scenario.aircraft.name.clone();
+                pieces.notices.push(Notice::Aircraft { key: notice::quoted(&key), instead, edited });
+            }
+        },
+    }
+    read_plane(&mut pieces, &mut scenario);
+    read_disturbance(&mut pieces, &mut scenario);
+    let ghost = read_ghost(&mut pieces, &scenario, aircraft);
+    let mut view = LinkView { ghost, ..LinkView::of(&scenario) };
+    if let Some(page) = pieces.take_word("page", &words::PAGES) {
+        if page.is_of(&scenario) {
+            view.page = page;
+        } else {
+            pieces.notices.push(Notice::Page { page: page.text(), aircraft: scenario.aircraft.name.clone() });
+        }
+    }
+    view.tab = pieces.take_word("tab", &words::TABS).unwrap_or(view.tab);
+    view.nonlinear = pieces.take_word("flight", &words::FLIGHTS).unwrap_or(view.nonlinear);
+    Some(Opened { scenario, view, notices: pieces.finish() })
+}
+
+fn read_version(pieces: &mut Pieces) {
+    let Some(version) = pieces.take("v") else { return };
+    match version.parse::<u32>() {
+        Ok(VERSION) => {}
+        Ok(newer) if newer > VERSION => pieces.notices.push(Notice::Newer),
+        Ok(_) | Err(_) => pieces.notices.push(Notice::Version { text: notice::quoted(&version) }),
+    }
+}
+
+/// What was done to the aircraft: first what is free, then what is added to the rest, then values of the rest.
+fn read_edits(pieces: &mut Pieces, prefix: &str, scenario: &mut Scenario) {
+    let reference = Scenario::new(scenario.aircraft.clone());
+    let of_aircraft = |p: &&Parameter| p.page != Page::Disturbance;
+    for p in parameters().filter(of_aircraft) {
+        let key = match p.added(scenario) {
+            Some(_) => format!("{prefix}{}{}", words::ADDED, p.key),
+            None => format!("{prefix}{}", p.key),
+        };
+        let Some(text) = pieces.take(&key) else { continue };
+        if !p.applies(&reference) {
+            pieces.notices.push(Notice::not_of(p, &scenario.aircraft));
+        } else if p.added(scenario).is_some() {
+            let accepted = number::read(&text, unit(p)).and_then(|x| p.check_added(scenario, x));
+            if let Some(value) = pieces.accept(&key, p, accepted) {
+                p.set_added(scenario, value);
+            }
+        } else {
+            let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
+            if let Some(value) = pieces.accept(&key, p, accepted) {
+                p.set(scenario, value);
+            }
+        }
+    }
+    for p in parameters().filter(of_aircraft).filter(|p| p.added(&reference).is_some()) {
+        let key = format!("{prefix}{}", p.key);
+        let Some(text) = pieces.take(&key) else { continue };
+        if !p.applies(&reference) {
+            pieces.notices.push(Notice::not_of(p, &scenario.aircraft));
+        } else if !p.applies(scenario) {
+            pieces.notices.push(Notice::NoFlight { name: p.name });
+        } else {
+            let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
+            if let Some(value) = pieces.accept(&key, p, accepted) {
+                p.set(scenario, value);
+            }
+        }
+    }
+}
+
+/// Takes every edit of an aircraft out of the link; whether there were any.
+fn take_edits(pieces: &mut Pieces, prefix: &str) -> bool {
+    let mut any = false;
+    for p in parameters().filter(|p| p.page != Page::Disturbance) {
+        any |= pieces.take(&format!("{prefix}{}", p.key)).is_some();
+        any |= pieces.take(&format!("{prefix}{}{}", words::ADDED, p.key)).is_some();
+    }
+    any
+}
+
+fn read_plane(pieces: &mut Pieces, scenario: &mut Scenario) {
+    let Some(plane) = pieces.take_word("plane", &words::PLANES) else { return };
+    if scenario.aircraft.notes_of(plane).is_some() {
+        scenario.plane = plane;
+    } else {
+        pieces.notices.push(Notice::Plane { aircraft: scenario.aircraft.name.clone() });
+    }
+}
+
+fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
+    for plane in [Plane::Longitudinal, Plane::Lateral] {
+        let key = |word| format!("{}.{word}", words::plane(plane));
+        let source =
+            pieces.take_of(&key("source"), &words::SOURCES, |source| words::can_disturb(plane, source));
+        let shape = pieces.take_of(&key("shape"), &words::SHAPES, words::is_of_control);
+        let gust = pieces.take_of(&key("gust"), &words::SHAPES, words::is_of_gust);
+        let mode = pieces.take_of(&key("mode"), &words::MODES, |_| true);
+        let choice = scenario.disturbance.choice_mut(plane);
+        choice.source = source.unwrap_or(choice.source);
+        choice.control_shape = shape.unwrap_or(choice.control_shape);
+        choice.gust_shape = gust.unwrap_or(choice.gust_shape);
+        choice.mode = mode.unwrap_or(choice.mode);
+    }
+    for p in parameters().filter(|p| p.page == Page::Disturbance) {
+        let Some(text) = pieces.take(p.key) else { continue };
+        let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
+        if let Some(value) = pieces.accept(p.key, p, accepted) {
+            p.set(scenario, value);
+        }
+    }
+}
+
+fn read_ghost(pieces: &mut Pieces, scene: &Scenario, aircraft: &[Arc<Aircraft>]) -> Option<Scenario> {
+    if !pieces.has_prefix(words::PINNED) {
+        return None;
+    }
+    let key = pieces.take(&format!("{}ac", words::PINNED));
+    let pinned = match &key {
+        None => Some(&scene.aircraft),
+        Some(key) => aircraft.iter().find(|aircraft| aircraft.key == *key),
+    };
+    let Some(pinned) = pinned else {
+        take_edits(pieces, words::PINNED);
+        pieces.notices.push(Notice::Ghost { key: notice::quoted(key.as_deref().unwrap_or_default()) });
+        return None;
+    };
+    let mut ghost = Scenario::new(pinned.clone());
+    read_edits(pieces, words::PINNED, &mut ghost);
+    Some(Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost })
+}

@@ -1,0 +1,95 @@
+//! A link in its pieces: what stands between the `&`, each taken once.
+
+use percent_encoding::percent_decode_str;
+
+use super::super::{Parameter, ValueError};
+use super::notice::{Notice, quoted};
+use super::{LONGEST, words};
+
+/// Keys and values of a link that have not been taken yet, and what was found wrong.
+pub(super) struct Pieces {
+    rest: Vec<(String, String)>,
+    pub notices: Vec<Notice>,
+}
+
+impl Pieces {
+    /// Splits a link. Of a whole address it takes what follows the `#`.
+    pub fn split(link: &str) -> Self {
+        let link = link.trim();
+        let link = link.split_once('#').map_or(link, |(_, fragment)| fragment);
+        let mut pieces = Self { rest: Vec::new(), notices: Vec::new() };
+        let mut end = link.len();
+        if let Some((at, _)) = link.char_indices().nth(LONGEST) {
+            end = at;
+            pieces.notices.push(Notice::TooLong);
+        }
+        for piece in link[..end].split('&').filter(|piece| !piece.is_empty()) {
+            // A link out of the text of a web page has its & written as &amp;.
+            let piece = piece.strip_prefix("amp;").unwrap_or(piece);
+            let (key, value) = piece.split_once('=').unwrap_or((piece, ""));
+            let [key, value] =
+                [key, value].map(|text| percent_decode_str(text).decode_utf8_lossy().into_owned());
+            let before = pieces.rest.len();
+            pieces.rest.retain(|(other, _)| *other != key);
+            let told = Notice::Twice { key: quoted(&key) };
+            if pieces.rest.len() < before && !pieces.notices.contains(&told) {
+                pieces.notices.push(told);
+            }
+            pieces.rest.push((key, value));
+        }
+        pieces
+    }
+
+    /// The value of a key.
+    pub fn take(&mut self, key: &str) -> Option<String> {
+        let at = self.rest.iter().position(|(other, _)| other == key)?;
+        Some(self.rest.remove(at).1)
+    }
+
+    /// What the word of a key stands for.
+    pub fn take_word<T: Copy>(&mut self, key: &str, words: &[(&str, T)]) -> Option<T> {
+        self.take_of(key, words, |_| true)
+    }
+
+    /// What the word of a key stands for, where that fits the key.
+    pub fn take_of<T: Copy>(
+        &mut self,
+        key: &str,
+        words: &[(&str, T)],
+        fits: impl Fn(T) -> bool,
+    ) -> Option<T> {
+        let word = self.take(key)?;
+        let meant = words::meaning_of(words, &word).filter(|&meant| fits(meant));
+        if meant.is_none() {
+            self.notices.push(Notice::Word { key: quoted(key), word: quoted(&word) });
+        }
+        meant
+    }
+
+    /// A parameter's value; one that is refused becomes a notice.
+    pub fn accept(
+        &mut self,
+        key: &str,
+        parameter: &Parameter,
+        checked: Result<f64, ValueError>,
+    ) -> Option<f64> {
+        checked
+            .map_err(|error| {
+                let (key, name) = (key.to_owned(), parameter.name);
+                self.notices.push(Notice::Value { key, name, error });
+            })
+            .ok()
+    }
+
+    /// Whether any key begins so.
+    pub fn has_prefix(&self, prefix: &str) -> bool {
+        self.rest.iter().any(|(key, _)| key.starts_with(prefix))
+    }
+
+    /// What was found wrong, and what is left over.
+    pub fn finish(mut self) -> Vec<Notice> {
+        let unknown = self.rest.iter().map(|(key, _)| Notice::Unknown { key: quoted(key) });
+        self.notices.extend(unknown);
+        self.notices
+    }
+}

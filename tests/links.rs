@@ -1,0 +1,447 @@
+//! A link is the whole scene: it reads back exactly, stays short, and opens whatever was done to it.
+
+use std::sync::{Arc, LazyLock};
+
+use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::link::{self, LONGEST, LinkView, Notice, Opened, Tab};
+use eigenwing::scenario::{Page, Parameter, Scenario, Source, parameters};
+use proptest::prelude::*;
+use proptest::sample::Index;
+
+static AIRCRAFT: LazyLock<Vec<Arc<Aircraft>>> =
+    LazyLock::new(|| embedded_aircraft().0.into_iter().map(Arc::new).collect());
+
+fn open(link: &str) -> Opened {
+    link::read(link, &AIRCRAFT).expect("there are aircraft")
+}
+
+fn aircraft(key: &str) -> Scenario {
+    let found = AIRCRAFT.iter().find(|aircraft| aircraft.key == key).expect("an aircraft of the list");
+    Scenario::new(found.clone())
+}
+
+fn row(key: &str) -> &'static Parameter {
+    Parameter::find(key).expect("a row of the table")
+}
+
+fn set(scenario: &mut Scenario, key: &str, value: f64) {
+    row(key).set(scenario, value);
+}
+
+/// One edit as a person makes it: which row, how far along what is accepted, and how round the number is.
+#[derive(Clone, Debug)]
+struct Edit {
+    row: Index,
+    fraction: f64,
+    typed: bool,
+    digits: usize,
+}
+
+fn edits(most: usize) -> impl Strategy<Value = Vec<Edit>> {
+    let edit = (any::<Index>(), 0.0..=1.0, any::<bool>(), 1_usize..18)
+        .prop_map(|(row, fraction, typed, digits)| Edit { row, fraction, typed, digits });
+    prop::collection::vec(edit, 0..most)
+}
+
+/// Applies edits the way the page does: in the shown unit, and only what is accepted.
+fn apply(scenario: &mut Scenario, edits: &[Edit]) {
+    let rows: Vec<&Parameter> = parameters().collect();
+    for edit in edits {
+        let p = edit.row.get(&rows);
+        let range = p.range(scenario);
+        let in_si = p.dimension.in_si(scenario.aircraft.length_unit);
+        let width = range.end() - range.start();
+        // What is typed may lie far outside the slider.
+        let reach = if edit.typed { 20.0 * width } else { 0.0 };
+        let value = range.start() - reach + edit.fraction * (width + 2.0 * reach);
+        let shown: f64 = format!("{:.*e}", edit.digits, value / in_si).parse().expect("a number");
+        if let Ok(value) = p.check(scenario, shown * in_si) {
+            p.set(scenario, value);
+        }
+    }
+}
+
+prop_compose! {
+    fn scenes()(
+        of in any::<Index>(),
+        of_ghost in prop::option::of(any::<Index>()),
+        on_scene in edits(40),
+        on_ghost in edits(12),
+        lateral in any::<bool>(),
+        sources in prop::array::uniform2(any::<Index>()),
+        shapes in prop::array::uniform4(any::<Index>()),
+        modes in prop::array::uniform2(0_usize..4),
+        page in any::<Index>(),
+        tab in any::<Index>(),
+        nonlinear in any::<bool>(),
+    ) -> (Scenario, LinkView) {
+        let mut scene = Scenario::new(of.get(&AIRCRAFT).clone());
+        apply(&mut scene, &on_scene);
+        if lateral && scene.aircraft.notes_of(Plane::Lateral).is_some() {
+            scene.plane = Plane::Lateral;
+        }
+        for (i, plane) in [Plane::Longitudinal, Plane::Lateral].into_iter().enumerate() {
+            let choice = scene.disturbance.choice_mut(plane);
+            choice.control_shape = *shapes[i].get(Source::Elevator.shapes());
+            choice.gust_shape = *shapes[2 + i].get(Source::SideGust.shapes());
+            choice.source = *sources[i].get(Source::of(plane));
+            choice.mode = modes[i];
+        }
+        let ghost = of_ghost.map(|of| {
+            let mut ghost = Scenario::new(of.get(&AIRCRAFT).clone());
+            apply(&mut ghost, &on_ghost);
+            Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost }
+        });
+        let pages: Vec<Page> = Page::DERIVATIVES.into_iter().filter(|page| page.is_of(&scene)).collect();
+        let view = LinkView { page: *page.get(&pages), tab: *tab.get(&Tab::ALL), nonlinear, ghost };
+        (scene, view)
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn every_scene_comes_back_exactly_as_it_was((scene, view) in scenes()) {
+        let link = link::write(&scene, &view);
+        prop_assert!(link.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b"_.-=&".contains(&b)), "{link}");
+        let opened = open(&link);
+        prop_assert_eq!(&opened.notices, &[], "{}", link);
+        prop_assert_eq!(&opened.scenario, &scene, "{}", link);
+        prop_assert_eq!(&opened.view, &view, "{}", link);
+    }
+
+    #[test]
+    fn any_text_opens_a_scene_that_can_be_kept(text in ".{0,300}") {
+        assert_sound(&open(&text), &text);
+    }
+
+    #[test]
+    fn any_keys_and_numbers_open_a_scene_that_can_be_kept(
+        pieces in prop::collection::vec((any::<Index>(), 0_usize..4, "(-?[0-9]{1,4}(\\.[0-9]{1,9})?(e-?[0-9]{1,3})?(si)?|nan|-inf|[a-z]{0,6})"), 0..60),
+    ) {
+        let keys: Vec<&str> = parameters().map(|p| p.key)
+            .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode"]).collect();
+        let pieces = pieces.iter().map(|(key, prefix, value)| {
+            format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
+        });
+        let link = pieces.collect::<Vec<_>>().join("&");
+        assert_sound(&open(&link), &link);
+    }
+}
+
+/// Finite, within what may be typed, and itself a scene that a link carries without loss.
+fn assert_sound(opened: &Opened, link: &str) {
+    for scenario in [Some(&opened.scenario), opened.view.ghost.as_ref()].into_iter().flatten() {
+        for p in parameters() {
+            let value = p.added(scenario).unwrap_or_else(|| p.get(scenario));
+            assert!(value.is_finite(), "{} = {value} from {link}", p.key);
+        }
+    }
+    for notice in &opened.notices {
+        let sentence = notice.to_string();
+        assert!(sentence.ends_with('.') && sentence.chars().count() < 250, "{sentence}");
+    }
+    let again = open(&link::write(&opened.scenario, &opened.view));
+    assert_eq!((&again.scenario, &again.view), (&opened.scenario, &opened.view), "{link}");
+    assert_eq!(again.notices, [], "{link}");
+}
+
+/// An aircraft, eight edited numbers, a disturbance, and the state before it pinned.
+fn normal_scene() -> (Scenario, LinkView) {
+    let mut ghost = aircraft("b747-approach");
+    for (key, value) in [("speed", 92.0), ("cm_alpha", -0.9), ("cn_beta", 0.21)] {
+        set(&mut ghost, key, value);
+    }
+    let mut scene = ghost.clone();
+    for (key, value) in [
+        ("speed", 88.5),
+        ("altitude", 1200.0),
+        ("gamma", -3_f64.to_radians()),
+        ("mass", 1.15),
+        ("cg", 0.06),
+        ("cm_q", -24.3),
+        ("cn_beta", 0.184),
+        ("fin", 0.8),
+        ("aileron", 2.5_f64.to_radians()),
+        ("time", 120.0),
+    ] {
+        set(&mut scene, key, value);
+    }
+    scene.plane = Plane::Lateral;
+    let choice = scene.disturbance.choice_mut(Plane::Lateral);
+    choice.source = Source::Aileron;
+    let ghost = Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost };
+    let view = LinkView { tab: Tab::Phase, ghost: Some(ghost), ..LinkView::of(&scene) };
+    (scene, view)
+}
+
+#[test]
+fn a_normal_scene_is_shorter_than_500_characters() {
+    let (scene, view) = normal_scene();
+    let link = link::write(&scene, &view);
+    assert!(link.len() < 250, "{}: {link}", link.len());
+    assert_eq!(open(&link).scenario, scene);
+}
+
+/// Offsets are differences of numbers that were computed, so they have all their digits.
+#[test]
+fn eight_edits_of_matrix_entries_and_a_pinned_state_are_shorter_than_500_characters() {
+    let mut scene = aircraft("navion");
+    let (mut ghost, keys) = (scene.clone(), ["a_uu", "a_wu", "a_qu", "a_uw", "a_ww", "a_qw", "a_wq", "a_qq"]);
+    for key in keys {
+        let value = row(key).get(&scene);
+        set(&mut scene, key, 1.1 * value);
+    }
+    for key in &keys[..4] {
+        let value = row(key).get(&ghost);
+        set(&mut ghost, key, 0.9 * value);
+    }
+    let view = LinkView { page: Page::Matrix, ghost: Some(ghost), ..LinkView::of(&scene) };
+    let link = link::write(&scene, &view);
+    assert!(link.len() < 500, "{}: {link}", link.len());
+    assert_eq!(open(&link).scenario, scene);
+}
+
+#[test]
+fn the_preset_is_nothing_but_its_name() {
+    for aircraft in AIRCRAFT.iter() {
+        let scene = Scenario::new(aircraft.clone());
+        assert_eq!(link::write(&scene, &LinkView::of(&scene)), format!("v=1&ac={}", aircraft.key));
+    }
+}
+
+#[test]
+fn offsets_stay_exact_where_the_flight_cannot_be() {
+    let mut scene = aircraft("navion");
+    set(&mut scene, "m_w", -0.05);
+    set(&mut scene, "a_qq", -1.7);
+    set(&mut scene, "speed", 15.0);
+    assert!(scene.analyse().is_err(), "the wing can't carry the aircraft at 15 m/s");
+    let opened = open(&link::write(&scene, &LinkView::of(&scene)));
+    assert_eq!((opened.scenario, opened.notices), (scene, vec![]));
+}
+
+#[test]
+fn the_order_of_a_link_does_not_matter() {
+    let (scene, view) = normal_scene();
+    let link = link::write(&scene, &view);
+    let mut pieces: Vec<&str> = link.split('&').collect();
+    for _ in 0..pieces.len() {
+        pieces.rotate_left(1);
+        assert_eq!(open(&pieces.join("&")), open(&link));
+    }
+}
+
+#[test]
+fn a_derivative_without_add_is_the_value_itself() {
+    let opened = open("v=1&ac=navion&m_w=-0.2&a_qq=-3&cm_alpha=-1");
+    assert_eq!(opened.notices, []);
+    for (key, value) in [("m_w", -0.2), ("a_qq", -3.0)] {
+        let reached = row(key).get(&opened.scenario);
+        assert!((reached - value).abs() < 1e-12, "{key}: {reached}");
+    }
+}
+
+#[test]
+fn a_whole_address_opens_like_its_fragment() {
+    let fragment = open("v=1&ac=lesson&time=30");
+    for link in [
+        "#v=1&ac=lesson&time=30",
+        "https://example.org/course/#v=1&ac=lesson&time=30",
+        " #v=1&ac=lesson&time=30 ",
+        "#v=1&amp;ac=lesson&amp;time=30",
+        "v=1&ac=lesson&time=%33%30",
+    ] {
+        assert_eq!(open(link), fragment, "{link}");
+    }
+}
+
+#[test]
+fn a_link_longer_than_any_scene_is_cut_with_a_notice() {
+    let long = format!("v=1&ac=navion&speed=60&{}", "é".repeat(2 * LONGEST));
+    let opened = open(&long);
+    assert!(opened.notices.contains(&Notice::TooLong));
+    assert_eq!(row("speed").get(&opened.scenario), 60.0);
+    assert_sound(&opened, "a long link");
+}
+
+/// Every number of the scene and of the pinned state edited, with all its digits.
+#[test]
+fn no_scene_is_too_long_for_a_link() {
+    let mut scene = aircraft("navion");
+    for p in parameters() {
+        let range = p.range(&scene);
+        let value = 0.3 / 7.0 * range.start() + (1.0 - 0.3 / 7.0) * range.end();
+        match p.added(&scene) {
+            Some(_) => p.set_added(&mut scene, value),
+            None => p.set(&mut scene, value),
+        }
+    }
+    let view = LinkView { ghost: Some(scene.clone()), ..LinkView::of(&scene) };
+    let link = link::write(&scene, &view);
+    assert!(link.len() > 5000, "not the longest: {}", link.len());
+    assert!(link.len() <= LONGEST, "{}", link.len());
+    let opened = open(&link);
+    assert_eq!((opened.scenario, opened.view, opened.notices), (scene, view, vec![]));
+}
+
+/// What `tests/links.txt` says.
+struct Line {
+    link: &'static str,
+    values: Vec<(&'static str, &'static str)>,
+    notices: Vec<&'static str>,
+}
+
+fn corpus() -> Vec<Line> {
+    let lines = include_str!("links.txt").lines().filter(|line| !line.is_empty() && !line.starts_with("//"));
+    lines
+        .map(|line| {
+            let (link, meaning) = line.split_once(" -> ").expect("link -> what it means");
+            let mut parts = meaning.split(" | ").map(str::trim);
+            let values = parts.next().unwrap_or_default().split(", ").filter(|value| !value.is_empty());
+            let values = values.map(|value| value.split_once('=').expect("key=value")).collect();
+            Line { link: link.trim(), values, notices: parts.collect() }
+        })
+        .collect()
+}
+
+fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
+    let pinned = key.strip_prefix("pin.");
+    let scenario = match pinned {
+        Some(_) => opened.view.ghost.as_ref().expect("a pinned state"),
+        None => &opened.scenario,
+    };
+    let of_plane = |plane| {
+        format!(
+            "{} of {}",
+            scenario.disturbance.choice(plane).text(),
+            scenario.disturbance.choice(plane).mode + 1
+        )
+    };
+    let found = match pinned.unwrap_or(key) {
+        "ac" => scenario.aircraft.key.clone(),
+        "plane" => format!("{:?}", scenario.plane).to_lowercase(),
+        "lon" => of_plane(Plane::Longitudinal),
+        "lat" => of_plane(Plane::Lateral),
+        "page" => opened.view.page.text().to_owned(),
+        "tab" => opened.view.tab.text().to_owned(),
+        "nonlinear" => opened.view.nonlinear.to_string(),
+        "pinned" => opened.view.ghost.is_some().to_string(),
+        "edited" => scenario.is_edited().to_string(),
+        key => {
+            let (p, expected) =
+                (row(key.trim_start_matches("add.")), expected.parse::<f64>().expect("a number"));
+            let found =
+                if key.starts_with("add.") { p.added(scenario).expect("an offset") } else { p.get(scenario) };
+            assert!(
+                (found - expected).abs() <= 1e-8 * expected.abs(),
+                "{key} is {found}, not {expected}: {link}"
+            );
+            return;
+        }
+    };
+    assert_eq!(found, expected, "{key}: {link}");
+}
+
+#[test]
+fn every_link_of_the_corpus_means_what_it_meant() {
+    for Line { link, values, notices } in corpus() {
+        let opened = open(link);
+        for (key, expected) in values {
+            assert_value(&opened, key, expected, link);
+        }
+        let told: Vec<String> = opened.notices.iter().map(Notice::to_string).collect();
+        assert_eq!(told.len(), notices.len(), "{link}: {told:#?}");
+        for notice in notices {
+            assert!(
+                told.iter().any(|sentence| sentence.contains(notice)),
+                "{link}: {notice} not in {told:#?}"
+            );
+        }
+        assert_sound(&opened, link);
+    }
+}
+
+#[test]
+fn the_corpus_has_every_key_and_every_aircraft() {
+    let corpus = corpus();
+    let pieces: Vec<&str> =
+        corpus.iter().filter(|line| line.notices.is_empty()).flat_map(|line| line.link.split('&')).collect();
+    for p in parameters() {
+        let start = format!("{}=", p.key);
+        let found = pieces.iter().any(|piece| piece.trim_start_matches("add.").starts_with(&start));
+        assert!(found, "no link with {}", p.key);
+    }
+    for aircraft in AIRCRAFT.iter() {
+        assert!(pieces.contains(&format!("ac={}", aircraft.key).as_str()), "no link with {}", aircraft.key);
+    }
+}
+
+#[test]
+fn a_damaged_link_opens_what_it_can() {
+    let (scene, view) = normal_scene();
+    let whole = link::write(&scene, &view);
+    let others = corpus().into_iter().map(|line| line.link.to_owned());
+    for (i, link) in [whole].into_iter().chain(others).enumerate() {
+        let letters: Vec<char> = link.chars().collect();
+        for at in 0..letters.len() {
+            let cut: String = letters[..at].iter().collect();
+            let mut swapped = letters.clone();
+            swapped.swap(at, (at + 1) % letters.len());
+            let mut lost = letters.clone();
+            lost.remove(at);
+            let mut changed = letters.clone();
+            changed[at] = ['%', '=', '&', '-', 'e', '\u{fffd}', '9'][(at + i) % 7];
+            for damaged in [cut, swapped.iter().collect(), lost.iter().collect(), changed.iter().collect()] {
+                let opened = open(&damaged);
+                assert!(AIRCRAFT.contains(&opened.scenario.aircraft));
+                if (at + i) % 11 == 0 {
+                    assert_sound(&opened, &damaged);
+                }
+            }
+        }
+    }
+}
+
+/// Whatever is left of a scene can be drawn or says why not, and no number of it is infinite.
+#[test]
+fn what_a_damaged_link_opens_can_be_analysed() {
+    let link = link::write(&normal_scene().0, &normal_scene().1);
+    for at in (0..link.len()).step_by(5) {
+        let digits = link.replacen(|c: char| c.is_ascii_digit(), "9", at);
+        let opened = open(&digits[..at]);
+        if let Ok(analysis) = opened.scenario.analyse() {
+            let mut states = analysis.motion.iter().flat_map(|motion| &motion.response.states);
+            assert!(states.all(|x| x.iter().all(|v| v.is_finite())), "{digits}");
+        }
+    }
+}
+
+/// `docs/LINKS.md` has a row for every key of the table; its last part is this text.
+#[test]
+fn the_list_of_keys_is_that_of_the_table() {
+    let mut list = String::from("| key | what | unit |\n|---|---|---|\n");
+    for p in parameters() {
+        let unit = match p.dimension.symbol(LengthUnit::Metre) {
+            "" => "–",
+            unit => unit,
+        };
+        let add = if p.added(&aircraft("navion")).is_some() { "add." } else { "" };
+        list += &format!("| `{add}{}` | {} | {unit} |\n", p.key, p.name);
+    }
+    let written = include_str!("../docs/LINKS.md");
+    assert!(written.ends_with(&list), "docs/LINKS.md should end with:\n{list}");
+}
+
+#[test]
+fn the_examples_of_the_documents_open_without_a_word() {
+    let texts = [include_str!("../docs/LINKS.md"), include_str!("../README.md")];
+    let examples: Vec<&str> =
+        texts.iter().flat_map(|text| text.lines()).filter(|line| line.starts_with("#v=")).collect();
+    assert!(examples.len() >= 3);
+    for example in examples {
+        assert_eq!(open(example).notices, [], "{example}");
+    }
+}

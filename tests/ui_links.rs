@@ -1,0 +1,173 @@
+//! Links in the user interface: sharing one, opening one, and what is said of a damaged one.
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, OutputCommand, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::Parameter;
+use eigenwing::ui::App;
+
+const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
+const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+
+const SHARE: &str = "Share link: copy the whole scene as a link (key L)";
+
+type Page = Harness<'static, Option<App>>;
+
+fn page(size: Vec2) -> Page {
+    let mut harness = Harness::builder().with_size(size).build_ui_state(
+        |ui, app: &mut Option<App>| {
+            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui);
+        },
+        None,
+    );
+    harness.run();
+    harness
+}
+
+fn app(harness: &mut Page) -> &mut App {
+    harness.state_mut().as_mut().expect("the page has been drawn")
+}
+
+fn open(harness: &mut Page, link: &str) {
+    app(harness).open(link);
+    harness.run();
+}
+
+fn value(harness: &mut Page, key: &str) -> f64 {
+    Parameter::find(key).expect("a row").get(app(harness).scenario())
+}
+
+/// What was copied in the last frame.
+fn copied(harness: &Page) -> Option<String> {
+    harness.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    })
+}
+
+#[test]
+fn the_button_copies_the_address_with_the_whole_scene_and_says_so() {
+    for size in [WIDE, PHONE] {
+        let mut harness = page(size);
+        app(&mut harness).set_address("https://example.org/eigenwing/".to_owned());
+        open(&mut harness, "v=1&ac=navion&speed=60&cm_alpha=-0.5&pin.ac=navion");
+        harness.get_by_label(SHARE).click();
+        harness.step();
+        let link = "https://example.org/eigenwing/#v=1&ac=navion&cm_alpha=-0.5&speed=60&pin.ac=navion";
+        assert_eq!(copied(&harness).as_deref(), Some(link), "{size}");
+        assert_eq!(app(&mut harness).take_unsaid().as_deref(), Some("Link copied"));
+        assert_eq!(app(&mut harness).take_unsaid(), None, "said once");
+        harness.step();
+        harness.get_by_label("Link copied");
+    }
+}
+
+#[test]
+fn the_word_that_a_link_was_copied_goes_and_leaves_an_idle_page() {
+    let mut harness = page(WIDE);
+    harness.key_press(Key::L);
+    harness.step();
+    harness.get_by_label("Link copied");
+    harness.run_steps(60);
+    harness.run();
+    assert_eq!(harness.query_all_by_label("Link copied").count(), 0);
+    let delay = harness.output().viewport_output.values().map(|v| v.repaint_delay).min().expect("a viewport");
+    assert!(delay > std::time::Duration::from_secs(1), "{delay:?}");
+}
+
+/// Whether a press of the key copies: the word is said at the press, the copy itself is not in the frame of the release.
+fn copies(harness: &mut Page, modifiers: Modifiers) -> bool {
+    harness.key_press_modifiers(modifiers, Key::L);
+    harness.step();
+    app(harness).take_unsaid().is_some()
+}
+
+#[test]
+fn the_key_copies_except_while_a_person_types() {
+    let mut harness = page(WIDE);
+    assert!(copies(&mut harness, Modifiers::NONE), "at nothing");
+    harness.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").focus();
+    harness.run_steps(60);
+    assert!(copies(&mut harness, Modifiers::NONE), "at a slider");
+    harness.get_by_role_and_label(Role::TextInput, "pitch stiffness C_mα, typed").focus();
+    harness.run_steps(60);
+    assert!(!copies(&mut harness, Modifiers::NONE), "in a field");
+    harness.key_press(Key::Escape);
+    harness.run_steps(60);
+    assert!(!copies(&mut harness, Modifiers::COMMAND), "the browser's own key for the address bar");
+    assert!(copies(&mut harness, Modifiers::NONE), "at nothing again");
+}
+
+#[test]
+fn a_link_opens_its_scene_and_undo_goes_back() {
+    let mut harness = page(WIDE);
+    let before = app(&mut harness).scenario().clone();
+    let poles = app(&mut harness).plane().expect("an analysis").modes[0].lambda;
+    let link =
+        "v=1&ac=b747-approach&cn_beta=0.2&plane=lat&lat.source=aileron&page=matrix&tab=figures&pin.ac=navion";
+    open(&mut harness, link);
+    assert_eq!(app(&mut harness).scenario().plane, Plane::Lateral);
+    assert_ne!(app(&mut harness).plane().expect("an analysis").modes[0].lambda, poles);
+    assert_eq!(value(&mut harness, "cn_beta"), 0.2);
+    harness.get_by_label_contains("pinned: Navion");
+    assert_eq!(harness.query_all_by_label("Dismiss").count(), 0);
+    assert_eq!(app(&mut harness).link(), link);
+    harness.get_by_label("Undo").click();
+    harness.run();
+    assert_eq!(app(&mut harness).scenario(), &before);
+}
+
+/// The harness draws a frame with the page: one opened before it has nothing behind it.
+#[test]
+fn the_scene_that_a_page_starts_with_has_nothing_to_undo() {
+    let mut harness = Harness::builder().with_size(WIDE).build_ui_state(
+        |ui, app: &mut Option<App>| {
+            let start = || {
+                let mut app = App::new(ui.ctx()).expect("an aircraft");
+                app.open("v=1&ac=lesson&a_qq=-6");
+                app
+            };
+            app.get_or_insert_with(start).ui(ui);
+        },
+        None,
+    );
+    harness.run_steps(120);
+    assert_eq!(app(&mut harness).scenario().aircraft.key, "lesson");
+    harness.get_by_label("Undo").click();
+    harness.run();
+    assert_eq!(app(&mut harness).scenario().aircraft.key, "lesson");
+}
+
+#[test]
+fn what_is_left_out_of_a_link_is_said_until_it_is_dismissed() {
+    for size in [WIDE, PHONE] {
+        let mut harness = page(size);
+        open(&mut harness, "v=2&ac=navion&speed=60&cm_q=steep&wings=2");
+        assert_eq!(value(&mut harness, "speed"), 60.0);
+        for sentence in [
+            "made by a newer version",
+            "(cm_q) was left out: “steep” is not a number",
+            "“wings” means nothing",
+        ] {
+            harness.get_by_label_contains(sentence);
+        }
+        let said = app(&mut harness).take_unsaid().expect("something to say");
+        assert!(said.contains("newer version") && said.contains("wings"), "{said}");
+        harness.get_by_label("Dismiss").click();
+        harness.run();
+        assert_eq!(harness.query_all_by_label_contains("newer version").count(), 0, "{size}");
+        assert_eq!(value(&mut harness, "speed"), 60.0);
+    }
+}
+
+/// Noise leaves room for the page, and every character of what is quoted has a glyph.
+#[test]
+fn a_link_of_noise_is_told_in_a_few_lines() {
+    let mut harness = page(PHONE);
+    open(&mut harness, "ж=1&漢=2&\u{7}=3&ac=💥&%ff%fe=4&a&b&c&d");
+    assert_eq!(harness.query_all_by_label_contains("⚠").filter(|node| node.rect().top() < 500.0).count(), 5);
+    harness.get_by_label_contains("more parts of the link were left out");
+    assert!(harness.query_all_by_label_contains("Pole map, All modes").count() == 1);
+}
