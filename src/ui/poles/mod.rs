@@ -199,8 +199,10 @@ impl PoleMap {
             Map { name: NAMES[0], rect: left, ranged: all, home: fast, modes },
             Map { name: NAMES[1], rect: right, ranged: slow.clone(), home: slow, modes },
         ];
-        let charts: [Chart; 2] =
-            std::array::from_fn(|i| self.ranges[i].chart(ui, maps[i].wanted_view(), maps[i].plot_rect()));
+        let held_on = self.held.as_ref().map(|held| held.map);
+        let charts: [Chart; 2] = std::array::from_fn(|i| {
+            self.ranges[i].chart(ui, maps[i].wanted_view(), maps[i].plot_rect(), held_on == Some(i))
+        });
         self.charts = Some(charts);
 
         let poles: Vec<Response> =
