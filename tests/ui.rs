@@ -66,7 +66,8 @@ fn every_parameter_of_every_page_and_plane_has_a_slider_and_a_field_by_name() {
             harness.run();
             let rows = rows(&harness, page);
             assert!(rows.len() >= 15, "{page:?} {plane:?}");
-            assert_eq!(harness.query_all_by_role(Role::Slider).count(), rows.len(), "{page:?} {plane:?}");
+            // One more is the time of the playback.
+            assert_eq!(harness.query_all_by_role(Role::Slider).count(), rows.len() + 1, "{page:?} {plane:?}");
             for p in rows {
                 let named = |node: &egui_kittest::Node<'_>| {
                     node.accesskit_node()
@@ -306,7 +307,7 @@ fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_figures() {
 fn which_outputs_are_shown_can_be_chosen() {
     let mut harness = page(WIDE);
     assert_eq!(harness.query_all_by_label_contains("Δn_z in g").count(), 0);
-    harness.get_by_role_and_label(Role::Button, "Show ▾").click();
+    harness.get_by_role_and_label(Role::Button, "Quantities shown").click();
     harness.run();
     harness.get_by_label("Δn_z · normal load factor").click();
     harness.run();

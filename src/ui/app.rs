@@ -8,14 +8,13 @@ use egui::{
     UiBuilder, Vec2,
 };
 
-use super::axis_range::round_up;
 use super::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
 use super::flight_pane::FlightPane;
 use super::keys::{self, Command, Pane};
 use super::memo::{Followed, Memo};
 use super::mode_cards::{Card, Details, banner_ui, card_ui, units_warning, verdicts_ui};
 use super::poles::{Hand, PoleMap, Seen};
-use super::responses::{Responses, Studied};
+use super::responses::{Responses, Studied, seen_in};
 use super::share::Share;
 use super::theme::{self, Look, Palette};
 use super::top_bar::{Bar, top_bar_ui};
@@ -646,14 +645,6 @@ impl App {
 fn name(scenario: &Scenario) -> String {
     let edited = if scenario.is_edited() { ", edited" } else { "" };
     format!("{}{edited}", scenario.aircraft.name)
-}
-
-/// A round time in which three periods of a mode, or most of its dying away or growing, are seen \[s\].
-fn seen_in(mode: &Mode) -> f64 {
-    let periods = mode.period().map_or(0.0, |period| 3.0 * period);
-    let halves = 5.0 * mode.time_to_half().or(mode.time_to_double()).unwrap_or(60.0);
-    let wanted = if periods > 0.0 { periods.max(halves.min(2.0 * periods)) } else { halves };
-    round_up(wanted.clamp(2.0, 240.0))
 }
 
 /// A rectangle smaller by so much on its left, right, top and bottom.

@@ -115,9 +115,9 @@ pub fn command(ui: &Ui) -> Option<Command> {
         SHORTCUTS.iter().find_map(|shortcut| {
             let takes_text = shortcut.modifiers.is_none();
             let taken = (typing && takes_text) || (focused && shortcut.key == Key::Space);
-            // “?” is on another key of every keyboard, mostly with Shift.
-            let pressed = if shortcut.key == Key::Questionmark {
-                !taken && input.key_pressed(Key::Questionmark)
+            // “?” is on another key of every keyboard, mostly with Shift; Esc is also a field's way to give up.
+            let pressed = if matches!(shortcut.key, Key::Questionmark | Key::Escape) {
+                !taken && input.key_pressed(shortcut.key)
             } else {
                 !taken && input.consume_key(shortcut.modifiers, shortcut.key)
             };

@@ -60,7 +60,7 @@ impl Default for Overlays {
             earth_axes: false,
             angles: true,
             rates: false,
-            forces: false,
+            forces: true,
             flow: true,
             path: true,
             moments: true,

@@ -51,11 +51,12 @@ impl AircraftView {
             }
             // Stays open while boxes are ticked.
             let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-            MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
+            let (menu, _) = MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
                 for (words, is_shown) in self.overlays.boxes() {
                     ui.checkbox(is_shown, words);
                 }
             });
+            menu.accessible_name("Shown on the picture").on_hover_text("What is drawn over the aircraft");
         });
     }
 

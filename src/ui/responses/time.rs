@@ -77,7 +77,7 @@ impl TimePlots {
                 }
             }
         });
-        response.on_hover_text("Which quantities are shown");
+        response.accessible_name("Quantities shown").on_hover_text("Which quantities are shown");
         ui.checkbox(&mut self.split, "Split into modes").on_hover_text(
             "Every linear motion is a sum of its modes: each in its colour, together the dark line",
         );
