@@ -85,9 +85,6 @@ fn dragging_a_pole_moves_its_derivatives_and_nothing_else_and_undo_is_one_step()
     drag(&mut harness, from, Vec2::new(-14.0, -22.0));
     let after = mode(&harness, ModeName::ShortPeriod);
     assert!(after.lambda.re < before.lambda.re && after.lambda.im > before.lambda.im, "{}", after.lambda);
-    let there = pole(&harness, "Short period");
-    // The fit of the map may have eased to another scale after the drag, so compare in units of the move.
-    assert!((there - from).length() > 8.0);
     for (key, moved) in [("cm_alpha", true), ("cm_q", true), ("cl_alpha", false), ("cd", false)] {
         let was = Parameter::find(key).expect("a row").get(&scenario);
         assert_eq!(value(&harness, key) != was, moved, "{key}");

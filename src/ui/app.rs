@@ -205,10 +205,6 @@ impl App {
 
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
-        let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
-        let width = ui.content_rect().width();
-        let phone = width < PHONE;
-        let palette = Palette::of(ui);
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
         let mut hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         if hand == Hand::Takes {
@@ -216,6 +212,10 @@ impl App {
             self.history.add_undo(&self.scenario);
             hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         }
+        let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
+        let width = ui.content_rect().width();
+        let phone = width < PHONE;
+        let palette = Palette::of(ui);
         let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
         action = Panel::top("top bar")
             .frame(bar)

@@ -11,6 +11,7 @@ mod keys;
 mod memo;
 mod mode_cards;
 mod number_field;
+mod palette;
 mod phasors;
 mod poles;
 mod responses;

@@ -2,7 +2,10 @@
 
 use egui::style::StyleModifier;
 use egui::text::LayoutJob;
-use egui::{Button, Checkbox, Popup, PopupCloseBehavior, Rect, RichText, ScrollArea, TextFormat, Ui, Vec2};
+use egui::{
+    Button, Checkbox, Popup, PopupCloseBehavior, Rect, RichText, ScrollArea, TextFormat, TextWrapMode, Ui,
+    Vec2,
+};
 
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
@@ -172,9 +175,13 @@ fn mover_ui(
         let mut job = symbol.job(14.0, palette.text);
         let name = TextFormat::simple(theme::small(), palette.weak);
         job.append(&format!("  {}", parameter.name), 0.0, name);
-        job.wrap = egui::text::TextWrapping::truncate_at_width(186.0);
         let mut chosen = keys.contains(&key);
-        let checkbox = ui.add(Checkbox::new(&mut chosen, job));
+        let text = |ui: &mut Ui| {
+            ui.set_max_width(ui.available_width() - BAR - 8.0);
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+            ui.add(Checkbox::new(&mut chosen, job))
+        };
+        let checkbox = ui.scope(text).inner;
         let checkbox = checkbox.accessible_name(format!("Drag moves {}", symbol.plain()));
         if checkbox.changed() {
             if chosen {

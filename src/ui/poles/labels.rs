@@ -36,10 +36,21 @@ impl Placement {
 
     /// Where a label of this size goes beside `anchor`, nearest free place first; `None` where there is no room.
     pub fn beside(&mut self, anchor: Pos2, size: Vec2) -> Option<Rect> {
-        let place = candidates(anchor, size).find(|place| self.is_free(*place))?;
+        let place = candidates(anchor, size)
+            .map(|place| pushed_into(self.frame, place))
+            .find(|place| self.is_free(*place))?;
         self.taken.push(place.expand(2.0));
         Some(place)
     }
+}
+
+/// A place at the edge of the frame moves inwards, as far as it has to.
+fn pushed_into(frame: Rect, place: Rect) -> Rect {
+    let inwards = |low: f32, high: f32, from: f32, to: f32| (from - low).max(0.0) + (to - high).min(0.0);
+    place.translate(Vec2::new(
+        inwards(place.left(), place.right(), frame.left(), frame.right()),
+        inwards(place.top(), place.bottom(), frame.top(), frame.bottom()),
+    ))
 }
 
 /// Places around an anchor, from near to far; right and left first, since labels are wide.

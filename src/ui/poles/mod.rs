@@ -30,8 +30,8 @@ mod trail;
 use egui::accesskit::{Live, Role};
 use egui::text::LayoutJob;
 use egui::{
-    Align2, Button, CursorIcon, EventFilter, Id, Key, Pos2, Rect, Response, RichText, Sense, Stroke,
-    StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
+    Align2, Button, CursorIcon, EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, RichText, Sense,
+    Stroke, StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
 };
 use nalgebra::Complex;
 
@@ -56,8 +56,10 @@ use crate::number::significant;
 use crate::scenario::{Page, Parameter, Scenario};
 
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
-/// A narrower map has room for the first words of its name only, and for no zoom buttons: fingers pinch.
+/// A narrower map has room for the first words of its name only.
 const NARROW: f32 = 230.0;
+/// A narrower one has no room for zoom buttons: keys and fingers do as well.
+const NARROWEST: f32 = 130.0;
 /// A press of a zoom button or key.
 const ZOOM_STEP: f64 = 1.5;
 /// Fine steps of an arrow key over the height of a map; with Shift ten times as much.
@@ -149,8 +151,9 @@ impl PoleMap {
     /// Goes on with a drag.
     fn drag(&mut self, ui: &Ui, scenario: &mut Scenario, charts: [Chart; 2]) -> Hand {
         let Some(held) = &mut self.held else { return Hand::Away };
-        let (pointer, down, escape) = ui.input(|input| {
-            (input.pointer.interact_pos(), input.pointer.any_down(), input.key_pressed(Key::Escape))
+        let (pointer, down, escape) = ui.input_mut(|input| {
+            let escape = input.consume_key(Modifiers::NONE, Key::Escape);
+            (input.pointer.interact_pos(), input.pointer.any_down(), escape)
         });
         // Another aircraft, another plane, an edit by someone else: not the pole that was taken.
         let other = scenario.aircraft != held.start.aircraft || scenario.plane != held.start.plane;
@@ -196,8 +199,10 @@ impl PoleMap {
             Map { name: NAMES[0], rect: left, ranged: all, home: fast, modes },
             Map { name: NAMES[1], rect: right, ranged: slow.clone(), home: slow, modes },
         ];
-        let charts: [Chart; 2] =
-            std::array::from_fn(|i| self.ranges[i].chart(ui, maps[i].wanted_view(), maps[i].plot_rect()));
+        let held_on = self.held.as_ref().map(|held| held.map);
+        let charts: [Chart; 2] = std::array::from_fn(|i| {
+            self.ranges[i].chart(ui, maps[i].wanted_view(), maps[i].plot_rect(), held_on == Some(i))
+        });
         self.charts = Some(charts);
 
         let poles: Vec<Response> =
@@ -400,7 +405,7 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
                 ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
             response.on_hover_text(does).clicked()
         };
-        let roomy = map.rect.width() >= NARROW;
+        let roomy = map.rect.width() >= NARROWEST;
         if roomy && pressed("+", "Zoom in") {
             range.zoom(chart, ZOOM_STEP, middle);
         }

@@ -17,32 +17,35 @@ pub struct MapRange {
     y: AxisRange,
     /// Where a person has brought it; else it is fitted.
     held: Option<View>,
+    /// What it showed last.
+    shown: Option<View>,
     /// Height of the fitted view \[1/s\].
     fitted_height: f64,
 }
 
 impl MapRange {
-    /// What to draw now in `rect`: on the way to `wanted`, widened to the shape of `rect`, or where it is held.
-    pub fn chart(&mut self, ui: &Ui, wanted: View, rect: Rect) -> Chart {
-        let aspect = f64::from(rect.width() / rect.height().max(1.0));
-        let width = wanted.right - wanted.left;
-        let (left, top) = if width < 2.0 * wanted.top * aspect {
-            (wanted.right - 2.0 * wanted.top * aspect, wanted.top)
-        } else {
-            (wanted.left, 0.5 * width / aspect)
+    /// What to draw now in `rect`: on the way to `wanted`, widened to the shape of `rect`, or where it is held. While a pole is
+    /// dragged the map keeps `still`: the pole is under the pointer, and must not run away from it.
+    pub fn chart(&mut self, ui: &Ui, wanted: View, rect: Rect, still: bool) -> Chart {
+        let fitted = widened(wanted, rect);
+        self.fitted_height = fitted.top - fitted.bottom;
+        let view = match (self.held, self.shown) {
+            (Some(held), _) => held.shaped(rect),
+            (None, Some(shown)) if still => shown.shaped(rect),
+            (None, _) => {
+                let x = self.x.toward(ui, fitted.left..=fitted.right);
+                let y = self.y.toward(ui, fitted.bottom..=fitted.top);
+                // One scale on both axes also while the one is on its way and the other there.
+                let [left, right] = [*x.start(), *x.end()];
+                widened(View { left, right, bottom: *y.start(), top: *y.end() }, rect)
+            }
         };
-        self.fitted_height = 2.0 * top;
-        if let Some(held) = self.held {
-            let view = held.shaped(rect);
+        if self.held.is_some() || still {
             self.x.hold(view.left..=view.right);
             self.y.hold(view.bottom..=view.top);
-            return Chart { rect, view };
         }
-        let x = self.x.toward(ui, left..=wanted.right);
-        let y = self.y.toward(ui, -top..=top);
-        let view = View { left: *x.start(), right: *x.end(), bottom: *y.start(), top: *y.end() };
-        // One scale on both axes also while the one is on its way and the other there, and when the window changes.
-        Chart { rect, view: view.shaped(rect) }
+        self.shown = Some(view);
+        Chart { rect, view }
     }
 
     /// Whether it shows what its poles ask for.
@@ -74,5 +77,18 @@ impl MapRange {
         if on_map(moved.left) && on_map(moved.right) && on_map(moved.bottom) && on_map(moved.top) {
             self.held = Some(moved);
         }
+    }
+}
+
+/// A view that holds all of `view` and has the shape of `rect`: more on the left, or above and below.
+fn widened(view: View, rect: Rect) -> View {
+    let aspect = f64::from(rect.width() / rect.height().max(1.0));
+    let width = view.right - view.left;
+    let top = view.top.max(-view.bottom);
+    if width < 2.0 * top * aspect {
+        View { left: view.right - 2.0 * top * aspect, bottom: -top, top, ..view }
+    } else {
+        let top = 0.5 * width / aspect;
+        View { bottom: -top, top, ..view }
     }
 }
