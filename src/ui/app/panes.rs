@@ -23,6 +23,7 @@ impl App {
         let outlook = Outlook {
             sensitivities: followed.map_or(&[], |followed| &followed.sensitivities),
             modes: self.memo.plane().map_or(&[], |plane| &plane.modes),
+            coefficients: followed.and_then(|followed| followed.coefficients.as_ref()),
         };
         self.view.touched = {
             let View { page, search, .. } = &mut self.view;
