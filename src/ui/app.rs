@@ -244,6 +244,8 @@ impl App {
         }
         if let Some(action) = action {
             self.apply(action, ui);
+            // What it changed beside the scenario, such as a pin, is drawn in the next frame, which no event may bring.
+            ui.request_repaint();
         }
         self.share.copied_ui(ui);
         if !self.memo.is_of(&self.scenario, self.view.page) {
@@ -469,7 +471,7 @@ impl App {
         let maximised = self.view.maximised == Some(pane);
         let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
         let name = format!("{} over the whole page", pane.text());
-        let sign = RichText::new(if maximised { "▣" } else { "□" }).color(Palette::of(ui).weak);
+        let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
         let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
         let hover =
             if maximised { "Back to its place (Esc)".to_owned() } else { format!("{name} ({})", pane.key()) };
