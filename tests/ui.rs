@@ -376,6 +376,11 @@ fn every_control_is_on_the_screen_at_a_zoom_of_150_and_200_per_cent_too() {
             }
         }
         assert!(seen > 60, "{zoom}: {seen} controls");
+        // The bar's tools come from the right, what is studied from the left.
+        let share = harness.get_by_label_contains("Share link").rect();
+        for node in harness.query_all_by_label_contains("Lateral") {
+            assert!(!share.intersects(node.rect()), "{zoom}: {share} and {}", node.rect());
+        }
     }
 }
 

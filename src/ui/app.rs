@@ -28,6 +28,8 @@ use crate::scenario::{Choice, Disturbance, Flown, Page, Parameter, Scenario, Sou
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
+/// Below this width the top bar has two rows, as on a phone.
+const CRAMPED: f32 = 860.0;
 /// Below this width the modes stand under the responses, not beside them.
 const TABLET: f32 = 1180.0;
 /// From this width on two panes of a tablet stand beside each other.
@@ -230,7 +232,7 @@ impl App {
                             self.history.has_undo(&self.scenario),
                             self.history.has_redo(&self.scenario),
                         ),
-                        narrow: phone,
+                        narrow: width < CRAMPED,
                         roomy: width >= TABLET,
                     },
                 )
@@ -443,9 +445,9 @@ impl App {
         let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
         let frame = theme::pane(Palette::of(ui));
         let inner = room - frame.total_margin();
-        // Before what is drawn over it, so that controls on it come first.
+        // Before what is drawn over it, so that controls on it come first. Not a stop of the Tab key: its button is.
         let heading = Rect::from_min_size(room.min, Vec2::new(room.width(), 34.0));
-        let turned = ui.interact(heading, Id::unique(("heading", pane)), Sense::click()).double_clicked();
+        let turned = ui.interact(heading, Id::unique(("heading", pane)), Sense::CLICK).double_clicked();
         ui.painter().add(frame.paint(inner));
         ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
             ui.set_clip_rect(room.intersect(ui.clip_rect()));
