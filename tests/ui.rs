@@ -355,6 +355,53 @@ fn every_control_is_on_the_screen() {
     }
 }
 
+/// The keys of a browser's zoom, Ctrl + and −, are egui's here: the same window has less room for everything.
+#[test]
+fn every_control_is_on_the_screen_at_a_zoom_of_150_and_200_per_cent_too() {
+    for zoom in [1.5, 2.0] {
+        let mut harness = page(WIDE / zoom);
+        harness.ctx.set_zoom_factor(zoom);
+        harness.run();
+        assert_eq!(harness.ctx.pixels_per_point(), zoom);
+        harness.get_by_label_contains("Pin this state").click();
+        harness.run();
+        let mut seen = 0;
+        for role in [Role::Button, Role::Slider, Role::ComboBox, Role::TextInput, Role::CheckBox] {
+            for node in harness.query_all_by_role(role) {
+                let rect = node.rect();
+                let label = node.accesskit_node().label().unwrap_or_default();
+                let right = WIDE.x / zoom;
+                assert!(rect.left() >= 0.0 && rect.right() <= right, "{zoom}: {label} at {rect}");
+                seen += 1;
+            }
+        }
+        assert!(seen > 60, "{zoom}: {seen} controls");
+        // The bar's tools come from the right, what is studied from the left.
+        let share = harness.get_by_label_contains("Share link").rect();
+        for node in harness.query_all_by_label_contains("Lateral") {
+            assert!(!share.intersects(node.rect()), "{zoom}: {share} and {}", node.rect());
+        }
+    }
+}
+
+/// A quick key is down and up within one frame, and nothing else may come for long.
+#[test]
+fn a_pin_is_on_screen_without_another_event() {
+    let mut harness = page(WIDE);
+    for (pressed, expected) in [(Key::G, 1), (Key::G, 0)] {
+        let key = |down| egui::Event::Key {
+            key: pressed,
+            physical_key: None,
+            pressed: down,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        harness.input_mut().events.extend([true, false].map(key));
+        harness.run();
+        assert_eq!(harness.query_all_by_label_contains("○ pinned: Navion").count(), expected);
+    }
+}
+
 #[test]
 fn poles_are_described_in_words() {
     let harness = page(WIDE);

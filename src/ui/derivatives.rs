@@ -120,7 +120,7 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
         let field = TextEdit::singleline(search).hint_text(hint).desired_width(width).font(theme::small());
         let response = ui.add(field).accessible_name("Find a derivative");
         let pressed = ui.input(|input| input.key_pressed(SEARCH_KEY) && input.modifiers.is_none());
-        if pressed && !ui.egui_wants_keyboard_input() {
+        if pressed && !ui.text_edit_focused() {
             response.request_focus();
             // The key itself isn't meant for the field.
             ui.input_mut(|input| {

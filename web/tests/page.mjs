@@ -132,6 +132,15 @@ export async function open(t, options = {}) {
     slider: (name) => page.getByRole("slider", { name, exact: true }),
     // What the progress bar has shown, each value once.
     progress: async () => [...new Set(await page.evaluate(() => window.progressValues))],
+    // Waits until the page has drawn nothing for a while: a frame takes long where software draws it.
+    rest: async () => {
+      for (let i = 0; i < 20; i += 1) {
+        const before = await page.evaluate(() => window.drawCalls);
+        await sleep(700);
+        if ((await page.evaluate(() => window.drawCalls)) === before) return;
+      }
+      throw new Error("the page does not come to rest");
+    },
     // How often the page draws in this time.
     drawCallsIn: async (milliseconds) => {
       const before = await page.evaluate(() => window.drawCalls);

@@ -144,9 +144,9 @@ impl App {
         let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
         let frame = theme::pane(Palette::of(ui));
         let inner = room - frame.total_margin();
-        // Before what is drawn over it, so that controls on it come first.
+        // Before what is drawn over it, so that controls on it come first. Not a stop of the Tab key: its button is.
         let heading = Rect::from_min_size(room.min, Vec2::new(room.width(), 34.0));
-        let turned = ui.interact(heading, Id::unique(("heading", pane)), Sense::click()).double_clicked();
+        let turned = ui.interact(heading, Id::unique(("heading", pane)), Sense::CLICK).double_clicked();
         ui.painter().add(frame.paint(inner));
         ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
             ui.set_clip_rect(room.intersect(ui.clip_rect()));
@@ -172,7 +172,7 @@ impl App {
         let maximised = self.view.maximised == Some(pane);
         let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
         let name = format!("{} over the whole page", pane.text());
-        let sign = RichText::new(if maximised { "▣" } else { "□" }).color(Palette::of(ui).weak);
+        let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
         let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
         let hover =
             if maximised { "Back to its place (Esc)".to_owned() } else { format!("{name} ({})", pane.key()) };

@@ -26,6 +26,8 @@ use crate::ui::top_bar::{Bar, top_bar_ui};
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
+/// Below this width the top bar has two rows, as on a phone.
+const CRAMPED: f32 = 860.0;
 /// Below this width the modes stand under the responses, not beside them.
 const TABLET: f32 = 1180.0;
 
@@ -224,7 +226,7 @@ impl App {
                             self.history.has_undo(&self.scenario),
                             self.history.has_redo(&self.scenario),
                         ),
-                        narrow: phone,
+                        narrow: width < CRAMPED,
                         roomy: width >= TABLET,
                     },
                 )
@@ -238,6 +240,8 @@ impl App {
         }
         if let Some(action) = action {
             self.apply(action, ui);
+            // What it changed beside the scenario, such as a pin, is drawn in the next frame, which no event may bring.
+            ui.request_repaint();
         }
         self.share.copied_ui(ui);
         if !self.memo.is_of(&self.scenario, self.view.page) {
