@@ -28,6 +28,10 @@ fn answer(arguments: &[&str]) -> String {
 
 /// The text with every number to nine digits, and rounding of zero as zero.
 fn rounded(text: &str) -> String {
+    rounded_to(9, text)
+}
+
+fn rounded_to(digits: usize, text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
@@ -46,8 +50,8 @@ fn rounded(text: &str) -> String {
                     out = out.strip_suffix('-').unwrap_or(&out).to_owned();
                     out += "0";
                 } else {
-                    let nine: f64 = format!("{x:.8e}").parse().expect("a number that was just written");
-                    out += &nine.to_string();
+                    let few = format!("{x:.*e}", digits - 1);
+                    out += &few.parse::<f64>().expect("a number that was just written").to_string();
                 }
             }
             _ => out += token,
@@ -138,6 +142,65 @@ fn respond_as_csv() {
     insta::assert_snapshot!(rounded(&answer(&arguments)));
 }
 
+#[test]
+fn respond_with_parts_and_nonlinear_flight_as_a_table() {
+    let arguments = ["respond", "navion", "--split", "--nonlinear", "--set", "elevator=-0.25"];
+    insta::assert_snapshot!(answer(&arguments));
+}
+
+#[test]
+fn respond_with_the_parts_of_the_modes_as_csv() {
+    let arguments = ["respond", "lesson", "--split", "--set", "time=6", "--steps", "6", "--csv"];
+    insta::assert_snapshot!(rounded(&answer(&arguments)));
+}
+
+#[test]
+fn a_nonlinear_flight_that_stops_leaves_cells_empty_and_says_why_beside_the_csv() {
+    let arguments = ["respond", "navion", "--nonlinear", "--set", "elevator=-0.25", "--steps", "60", "--csv"];
+    let Output { status, stdout, stderr } = run(&arguments);
+    assert!(status.success());
+    let said = String::from_utf8_lossy(&stderr);
+    assert!(said.starts_with("note: the nonlinear flight ends: at 1."), "{said}");
+    assert_eq!(said.matches('\n').count(), 1);
+    let text = String::from_utf8(stdout).expect("an answer is a text");
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let flown = rows[0].iter().position(|head| *head == "q nonlinear [rad/s]").expect("a column");
+    // Samples at 0 and 1 s, none at 2 s.
+    let numbers = rows[1..4].iter().map(|row| row[flown].parse::<f64>().is_ok());
+    assert_eq!(numbers.collect::<Vec<_>>(), [true, true, false]);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()));
+}
+
+#[test]
+fn matrices_that_cannot_be_flown_still_answer_and_say_so_beside_the_csv() {
+    let arguments = ["respond", "--matrix", "lateral.csv", "--nonlinear", "--steps", "3"];
+    let Output { status, stdout, stderr } = run(&[&arguments[..], &["--csv"]].concat());
+    assert_eq!((status.success(), String::from_utf8_lossy(&stdout).lines().count()), (true, 5));
+    let said = "no nonlinear flight: this aircraft is given by its matrices, which hold for small disturbances only: \
+                flight far from the trim needs coefficients or derivatives";
+    assert_eq!(String::from_utf8_lossy(&stderr), format!("note: {said}\n"));
+    assert!(answer(&arguments).ends_with(&format!("\nN{}.\n", &said[1..])));
+}
+
+#[test]
+fn frequency_as_a_table() {
+    insta::assert_snapshot!(answer(&["frequency", "b747-fc9", "--output", "theta"]));
+}
+
+#[test]
+fn frequency_as_json() {
+    let arguments = ["frequency", "navion", "--disturbance", "aileron", "--points", "5", "--json"];
+    // The place of a peak is known to seven digits or so: it is flat.
+    insta::assert_snapshot!(rounded_to(6, &answer(&arguments)));
+}
+
+#[test]
+fn frequency_as_csv() {
+    let arguments = ["frequency", "navion", "--disturbance", "vertical-gust", "--output", "nz"];
+    let range = ["--from", "0.5", "--to", "50", "--points", "9", "--csv"];
+    insta::assert_snapshot!(rounded(&answer(&[&arguments[..], &range].concat())));
+}
+
 const SWEEP: [&str; 10] =
     ["sweep", "navion", "--parameter", "cm_alpha", "--from", "-0.7", "--to", "0.3", "--points", "6"];
 
@@ -181,7 +244,7 @@ fn file(name: &str, content: &[u8]) -> String {
 fn bad_input_is_one_line_and_exit_code_1() {
     let matlab = include_str!("data/matrices/navion.m");
     let navion = FILES[0].1;
-    let cases: [(&[&str], &str); 22] = [
+    let cases: [(&[&str], &str); 29] = [
         (&["analyse", "navoin"], "there is no aircraft \"navoin\" in the list; did you mean \"navion\"?"),
         (&["analyse", "zzz"], "there is no aircraft \"zzz\" in the list"),
         (
@@ -207,6 +270,25 @@ fn bad_input_is_one_line_and_exit_code_1() {
             "there is no disturbance \"gale\"; expected one of elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release, mode",
         ),
         (&["respond", "navion", "--steps", "0"], "steps: expected 1 to 100000, found 0"),
+        (
+            &["frequency", "navion", "--output", "alhpa"],
+            "there is no output \"alhpa\"; did you mean \"alpha\"?",
+        ),
+        (
+            &["frequency", "navion", "--disturbance", "elevatr"],
+            "there is no input \"elevatr\"; did you mean \"elevator\"?",
+        ),
+        (
+            &["frequency", "navion", "--disturbance", "mode"],
+            "there is no input \"mode\"; expected one of elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust",
+        ),
+        (
+            &["frequency", "navion", "--disturbance", "rudder", "--output", "q"],
+            "q doesn't move in lateral motion",
+        ),
+        (&["frequency", "lesson", "--output", "beta"], "lesson has no lateral data"),
+        (&["frequency", "navion", "--from", "0"], "from: expected 0.000001 to 1000000 rad/s, found 0"),
+        (&["frequency", "navion", "--from", "2", "--to", "1"], "expected from below to, found 2 and 1 rad/s"),
         (
             &["sweep", "navion", "--parameter", "cg", "--from", "0", "--to", "0"],
             "a sweep from 0 to 0 goes nowhere",

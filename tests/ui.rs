@@ -518,3 +518,22 @@ fn nonlinear_flight_is_drawn_beside_the_linear_motion_and_says_where_it_ends() {
     choose(&mut harness, "Aircraft", "Lesson 4, as printed");
     harness.get_by_label_contains("No nonlinear flight: this aircraft is given by its matrices");
 }
+
+/// A knob moves coefficients: each that it moves says to what, and the rest say nothing.
+#[test]
+fn a_knob_shows_what_it_moves() {
+    let mut harness = page(WIDE);
+    let told = |harness: &Harness<'_, Option<App>>| {
+        let sliders = harness.query_all_by_role(Role::Slider);
+        sliders.filter(|slider| slider.value().is_some_and(|value| value.contains("in effect"))).count()
+    };
+    assert_eq!(told(&harness), 0);
+    type_into(&mut harness, "airspeed V, typed", "60");
+    // C_L, C_D and C_Dα follow the speed.
+    assert_eq!(told(&harness), 3);
+    let lift = harness.query_all_by_role(Role::Slider).find_map(|slider| {
+        slider.value().filter(|value| value.starts_with("0.41") && value.contains("in effect"))
+    });
+    // 0.41 (53.64/60)² = 0.3277
+    assert!(lift.as_ref().is_some_and(|value| value.contains("0.3277")), "{lift:?}");
+}

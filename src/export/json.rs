@@ -3,7 +3,7 @@
 //! A request is one object. It names its aircraft by one of `aircraft` (a key of the list), `toml` (the text of an aircraft file)
 //! or `matrices` (the text of bare matrices, with `format`: `"json"`, `"csv"` or `"m"`); `file` is a name for messages, and
 //! `set` holds values by the keys of the table of parameters \[SI, radians\]. What is asked stands beside them: the fields of
-//! [`ResponseRequest`] or [`SweepRequest`]. A field that isn't known is a mistake.
+//! [`ResponseRequest`], [`FrequencyRequest`] or [`SweepRequest`]. A field that isn't known is a mistake.
 
 use std::collections::BTreeMap;
 
@@ -11,6 +11,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use super::frequency::FrequencyRequest;
 use super::respond::ResponseRequest;
 use super::subject::{ExportError, Source, Subject};
 use super::sweep::{Sweep, SweepRequest};
@@ -57,6 +58,12 @@ pub fn analyse(request: &str) -> Result<String, ExportError> {
 pub fn respond(request: &str) -> Result<String, ExportError> {
     let (subject, request): (_, ResponseRequest) = read(request)?;
     written(&super::respond(&subject, &request)?)
+}
+
+/// Gain and phase over frequency: a [`super::FrequencyReport`].
+pub fn frequency(request: &str) -> Result<String, ExportError> {
+    let (subject, request): (_, FrequencyRequest) = read(request)?;
+    written(&super::frequency(&subject, &request)?)
 }
 
 /// The modes along a parameter: a [`super::SweepReport`].

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::report::AircraftReport;
+use super::aircraft::AircraftReport;
 use super::subject::{ExportError, Subject, plane_name};
 use crate::content::embedded_aircraft;
 use crate::scenario::parameters;

@@ -1,28 +1,46 @@
 //! What other programs ask and read. [`state()`] is that of the page; all else answers a request about a [`Subject`]: the
 //! command line and JavaScript go through the same functions. SI and radians, and every number finite or null.
 
+mod aircraft;
+mod approximation;
+mod disturbance;
+mod figures;
+mod flown;
+mod frequency;
 pub mod json;
+mod level;
 mod list;
+mod mode;
+mod plane;
 mod report;
 mod respond;
+mod split;
 mod subject;
 mod sweep;
 
 use serde_json::{Map, Value, json};
 
+use self::plane::{dynamic_word, static_word};
+use self::subject::plane_name;
 use crate::flight::analysis::{Motion, PlaneAnalysis};
-use crate::flight::modes::{DynamicStability, Mode};
+use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
-use crate::flight::static_stability::StaticVerdict;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::{Scenario, parameters};
 
+pub use aircraft::AircraftReport;
+pub use approximation::{ApproximationReport, ValueReport};
+pub use disturbance::{DISTURBANCES, SHAPES};
+pub use figures::{FiguresReport, OutputFigures, PeakReport};
+pub use flown::{FlightOutcome, FlightReport, StopReport};
+pub use frequency::{FREQUENCIES, FrequencyReport, FrequencyRequest, GainPeak, Measured, frequency};
+pub use level::{JudgedReport, LevelReport};
 pub use list::{ParameterReport, list, parameters_of};
-pub use report::{
-    AircraftReport, ApproximationReport, JudgedReport, LevelReport, ModeReport, PlaneOutcome, PlaneReport,
-    Report, StaticReport, StiffnessReport, TrimReport, Units, ValueReport, analyse,
-};
-pub use respond::{DISTURBANCES, ResponseReport, ResponseRequest, SHAPES, Signal, respond};
+pub use mode::ModeReport;
+pub use plane::{PlaneReport, StaticReport, StiffnessReport, TrimReport};
+pub use report::{PlaneOutcome, Report, Units, analyse};
+pub use respond::{ResponseReport, ResponseRequest, Signal, respond};
+pub use split::{PartReport, SplitOutcome, SplitReport};
 pub use subject::{ExportError, Source, Subject};
 pub use sweep::{
     MOST_POINTS, Sweep, SweepChange, SweepMode, SweepPlane, SweepPoint, SweepReport, SweepRequest,
@@ -36,10 +54,7 @@ pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) ->
         .collect();
     json!({
         "aircraft": scenario.aircraft.key,
-        "plane": match scenario.plane {
-            Plane::Longitudinal => "longitudinal",
-            Plane::Lateral => "lateral",
-        },
+        "plane": plane_name(scenario.plane),
         "disturbance": scenario.disturbance.choice(scenario.plane).text(),
         "parameters": parameters,
         "analysis": match analysis {
@@ -71,12 +86,8 @@ fn of_error(error: &AnalysisError) -> Value {
 fn of_plane(plane: &PlaneAnalysis) -> Value {
     json!({
         "modes": plane.modes.iter().map(of_mode).collect::<Vec<_>>(),
-        "dynamic_stability": word(plane.dynamic_stability),
-        "static_stability": match plane.static_stability.verdict {
-            StaticVerdict::Stable => "stable",
-            StaticVerdict::Neutral => "neutral",
-            StaticVerdict::Unstable => "unstable",
-        },
+        "dynamic_stability": dynamic_word(plane.dynamic_stability),
+        "static_stability": static_word(plane.static_stability.verdict),
         "determinant": plane.static_stability.determinant,
         "levels": plane.levels.iter().map(|verdict| verdict.sentence()).collect::<Vec<_>>(),
     })
@@ -102,15 +113,7 @@ fn of_mode(mode: &Mode) -> Value {
         "period": mode.period(),
         "time_to_half": mode.time_to_half(),
         "time_to_double": mode.time_to_double(),
-        "stability": word(mode.stability),
+        "stability": dynamic_word(mode.stability),
         "participation": mode.participation,
     })
-}
-
-fn word(stability: DynamicStability) -> &'static str {
-    match stability {
-        DynamicStability::Stable => "stable",
-        DynamicStability::Neutral => "neutral",
-        DynamicStability::Unstable => "unstable",
-    }
 }

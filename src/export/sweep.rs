@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::report::{AircraftReport, Units, dynamic_word, static_word};
+use super::aircraft::AircraftReport;
+use super::plane::{dynamic_word, static_word};
+use super::report::Units;
 use super::subject::{ExportError, Subject, checked, find_parameter, plane_name};
 use crate::flight::modes::{DynamicStability, Mode, dynamic_stability, modes};
 use crate::flight::plane::{Plane, PlaneModel};

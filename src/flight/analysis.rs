@@ -82,6 +82,8 @@ pub struct Margins {
 pub struct Motion {
     /// The model that moves.
     pub model: PlaneModel,
+    /// What it is put through.
+    pub experiment: Experiment,
     /// Its equations with all that drives them.
     pub forced: Forced,
     /// The states.
@@ -189,7 +191,13 @@ fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -
     let PlaneAnalysis { model, modes, .. } = disturbed;
     let forced = forced(edited, model, &experiment.inputs, experiment.start, modes);
     let response = respond(&forced, experiment.grid);
-    Motion { small_until: small_until(model, &response), model: model.clone(), forced, response }
+    Motion {
+        small_until: small_until(model, &response),
+        model: model.clone(),
+        experiment: experiment.clone(),
+        forced,
+        response,
+    }
 }
 
 /// When a motion first leaves |u| ≤ V/2, α, β ≤ 0.35 rad (20°, about the stall), attitude ≤ 1 rad; `None` if it never does.

@@ -50,6 +50,13 @@ pub fn transfer(forced: &Forced, row: &OutputRow, input: usize, frequency: f64) 
     (value.re.is_finite() && value.im.is_finite()).then_some(value)
 }
 
+/// Angular frequencies around the modes \[rad/s\], from and to: on whole decades, a factor of 2 to 20 beyond them, and around 1.
+pub fn frequency_range(modes: &[Mode]) -> (f64, f64) {
+    let sizes = modes.iter().map(|mode| mode.lambda.norm()).filter(|size| *size > 1e-4);
+    let (low, high) = sizes.fold((1.0_f64, 1.0_f64), |(low, high), size| (low.min(size), high.max(size)));
+    (10_f64.powf((0.5 * low).log10().floor()), 10_f64.powf((2.0 * high).log10().ceil().min(4.0)))
+}
+
 /// The response at `count` frequencies evenly spread over a logarithmic axis; points where it is infinite are left out.
 pub fn frequency_response(
     forced: &Forced,

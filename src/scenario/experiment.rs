@@ -72,7 +72,10 @@ impl Scenario {
 
     /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of.
     pub fn driven_channel(&self) -> Channel {
-        self.experiment().inputs.first().map_or(Channel::First, |(channel, _)| *channel)
+        if self.disturbance.choice(self.plane).source == Source::Turbulence {
+            return Channel::AirAcross;
+        }
+        self.disturbance.input(self.plane).map_or(Channel::First, |(channel, _)| channel)
     }
 
     /// The equations of a motion, driven by a unit of what disturbs it.

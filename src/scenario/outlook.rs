@@ -5,9 +5,11 @@ use nalgebra::Matrix4;
 use super::Scenario;
 use super::parameters::{Page, Parameter, parameters};
 use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::coefficients::Coefficients;
 use crate::flight::locus::{Locus, locus};
 use crate::flight::modes::Mode;
 use crate::flight::sensitivity::{Sensitivity, sensitivity};
+use crate::flight::study::Study;
 
 /// Points of a path: twice what a wide screen can tell apart.
 const LOCUS_EVALUATIONS: usize = 200;
@@ -32,6 +34,14 @@ impl Scenario {
             .filter(|p| p.is_shown(self, page))
             .filter_map(|p| self.sensitivity(analysis, p))
             .collect()
+    }
+
+    /// The coefficients with knobs and flight condition applied; `None` where the source has none or there is no such flight.
+    pub fn coefficients_in_effect(&self) -> Option<Coefficients> {
+        match &self.edited.study {
+            Study::Coefficients(study) => Some(study.derive().ok()?.coefficients),
+            Study::Derivatives(_) | Study::Matrices(_) => None,
+        }
     }
 
     fn sensitivity(&self, analysis: &PlaneAnalysis, parameter: &'static Parameter) -> Option<RowSensitivity> {

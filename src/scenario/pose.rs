@@ -63,7 +63,7 @@ pub struct MomentArrow {
 impl Flown<'_> {
     /// How much larger than it is the motion is shown: only a mode flown alone is, by a round factor.
     pub fn exaggeration(&self) -> f64 {
-        if !matches!(self.scenario.experiment().start, Start::Mode { .. }) || self.flight.is_some() {
+        if !self.is_one_mode() {
             return 1.0;
         }
         let outputs = match self.motion.model.plane {
@@ -76,6 +76,11 @@ impl Flown<'_> {
             .fold(1e-9, f64::max);
         let factor = (EXAGGERATED_TO / largest).clamp(1.0, 100.0);
         [50.0, 20.0, 10.0, 5.0, 4.0, 3.0, 2.0].into_iter().find(|round| *round <= factor).unwrap_or(1.0)
+    }
+
+    /// Whether one mode is flown alone, and so may be exaggerated: of a linear motion only.
+    fn is_one_mode(&self) -> bool {
+        matches!(self.motion.experiment.start, Start::Mode { .. }) && self.flight.is_none()
     }
 
     /// Time of the last sample \[s\].
@@ -93,23 +98,28 @@ impl Flown<'_> {
         let values = |output: Output| self.at(output, t);
         let large = |output: Output| exaggeration * values(output);
         let fuselage = self.scenario.fuselage_incidence();
-        let level = [trim.speed * trim.gamma0.cos() * t, 0.0, -trim.speed * trim.gamma0.sin() * t];
+        let (position, steady_position) = self.position(t, exaggeration);
         let mut pose = Pose {
             attitude: [large(Output::BankAngle), large(Output::PitchAngle), large(Output::Heading)],
             rates: [Output::RollRate, Output::PitchRate, Output::YawRate].map(values),
             alpha: trim.alpha0 + fuselage + large(Output::AngleOfAttack),
             beta: large(Output::Sideslip),
-            position: [large(Output::Distance), large(Output::Offset), -large(Output::Height)],
-            steady_position: level,
+            position,
+            steady_position,
             deflections: self.deflections(t),
             forces: None,
         };
         pose.attitude[1] += trim.theta0() + fuselage;
-        for (place, level) in pose.position.iter_mut().zip(level) {
-            *place += level;
-        }
         pose.forces = self.forces(&pose, values(Output::NormalLoad), values(Output::ForwardSpeed));
         pose
+    }
+
+    /// Where it is, and where undisturbed flight would have brought it.
+    fn position(&self, t: f64, exaggeration: f64) -> ([f64; 3], [f64; 3]) {
+        let trim = &self.motion.model.trim;
+        let level = [trim.speed * trim.gamma0.cos() * t, 0.0, -trim.speed * trim.gamma0.sin() * t];
+        let strayed = [self.at(Output::Distance, t), self.at(Output::Offset, t), -self.at(Output::Height, t)];
+        ([0, 1, 2].map(|k| level[k] + exaggeration * strayed[k]), level)
     }
 
     /// Where it has been since `seconds` before a time, the oldest first, up to then: north, east, down \[m\].
@@ -119,14 +129,14 @@ impl Flown<'_> {
         (0..=POINTS)
             .map(|k| {
                 let t = start + (end - start) * k as f64 / POINTS as f64;
-                self.pose(t, exaggeration).position
+                self.position(t, exaggeration).0
             })
             .collect()
     }
 
     /// The moments that push and damp the motion of a mode flown alone; none otherwise.
     pub fn moments(&self, time: f64) -> Vec<MomentArrow> {
-        if !matches!(self.scenario.experiment().start, Start::Mode { .. }) || self.flight.is_some() {
+        if !self.is_one_mode() {
             return Vec::new();
         }
         let (a, states) = (&self.motion.model.a, &self.motion.response.states);
@@ -188,9 +198,9 @@ impl Flown<'_> {
     }
 
     fn deflections(&self, t: f64) -> [f64; 3] {
-        let experiment = self.scenario.experiment();
         let of = |channel: Channel| -> f64 {
-            experiment.inputs.iter().filter(|(of, _)| *of == channel).map(|(_, input)| input.at(t)).sum()
+            let inputs = &self.motion.experiment.inputs;
+            inputs.iter().filter(|(of, _)| *of == channel).map(|(_, input)| input.at(t)).sum()
         };
         match self.motion.model.plane {
             Plane::Longitudinal => [of(Channel::First), 0.0, 0.0],

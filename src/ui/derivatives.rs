@@ -9,6 +9,7 @@ use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
+use crate::flight::coefficients::Coefficients;
 use crate::flight::modes::Mode;
 use crate::flight::sensitivity::Sensitivity;
 use crate::number::{significant, trimmed};
@@ -39,6 +40,8 @@ pub struct Outlook<'a> {
     pub sensitivities: &'a [RowSensitivity],
     /// The modes.
     pub modes: &'a [Mode],
+    /// The coefficients in effect, where there are any.
+    pub coefficients: Option<&'a Coefficients>,
 }
 
 /// Which sliders are on screen.
@@ -173,6 +176,7 @@ fn row_ui(
     let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
     let (value, reference) = (parameter.get(scenario) / in_si, parameter.reference(scenario) / in_si);
     let range = parameter.range(scenario);
+    let in_effect = outlook.coefficients.and_then(|c| parameter.in_effect(scenario, c)).map(|si| si / in_si);
     let symbol = Symbol::parse(parameter.symbol);
     let name = format!("{} {}", parameter.name, symbol.plain());
     let shown = trimmed(value, 4);
@@ -194,14 +198,24 @@ fn row_ui(
         let rest = FIELD_WIDTH + unit_width + bars_width + RESET_WIDTH + 6.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {
             name: &name,
-            value_text: format!("{shown} {unit}"),
+            value_text: match in_effect {
+                Some(moved) => format!("{shown} {unit}, {} in effect", trimmed(moved, 4)),
+                None => format!("{shown} {unit}"),
+            },
             value,
             range: range.start() / in_si..=range.end() / in_si,
             reference,
+            in_effect,
         };
         let width = (ui.available_width() - rest).max(60.0);
         let (response, moved) = slider.show(ui, Vec2::new(width, height));
         at_it |= hovered || response.has_focus();
+        if let Some(moved) = in_effect {
+            response.on_hover_text(format!(
+                "{} with the knobs and the flight condition as they are",
+                trimmed(moved, 4)
+            ));
+        }
         new =
             moved.map(|value| if value == reference { parameter.reference(scenario) } else { value * in_si });
 

@@ -1,6 +1,7 @@
 //! The only cache: what follows from the scenario on screen, computed again only when the scenario has changed.
 
 use crate::flight::analysis::{Motion, PlaneAnalysis};
+use crate::flight::coefficients::Coefficients;
 use crate::flight::flight_path::FlightPath;
 use crate::flight::locus::Locus;
 use crate::flight::six_dof::SixDofError;
@@ -23,6 +24,8 @@ pub struct Followed {
     pub analysis: Result<Analysis, AnalysisError>,
     /// How every slider of the page on screen moves the modes of the plane on screen.
     pub sensitivities: Vec<RowSensitivity>,
+    /// The coefficients as knobs and flight condition make them, where the aircraft has any.
+    pub coefficients: Option<Coefficients>,
 }
 
 impl Followed {
@@ -30,7 +33,7 @@ impl Followed {
         let analysis = scenario.analyse();
         let plane = analysis.as_ref().ok().and_then(|analysis| analysis.of(scenario.plane)?.as_ref().ok());
         let sensitivities = plane.map_or_else(Vec::new, |plane| scenario.sensitivities(plane, page));
-        Self { analysis, sensitivities }
+        Self { analysis, sensitivities, coefficients: scenario.coefficients_in_effect() }
     }
 }
 

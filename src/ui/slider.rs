@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use egui::accesskit::{Action, ActionData};
-use egui::{EventFilter, Key, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, emath};
+use egui::{EventFilter, Key, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, emath};
 
 use super::theme::Palette;
 
@@ -26,6 +26,8 @@ pub struct ReferenceSlider<'a> {
     pub range: RangeInclusive<f64>,
     /// Where the tick stands, and where a double click or Delete goes.
     pub reference: f64,
+    /// Where something else has moved what the value means, marked by a triangle.
+    pub in_effect: Option<f64>,
 }
 
 impl ReferenceSlider<'_> {
@@ -173,6 +175,11 @@ impl ReferenceSlider<'_> {
         // The fill runs from the reference: how far, and which way, this has been moved.
         painter.hline(tick.min(x)..=tick.max(x), y, Stroke::new(3.0, palette.accent));
         painter.vline(tick, y - 6.5..=y + 6.5, Stroke::new(1.5, palette.ghost));
+        if let Some(moved) = self.in_effect {
+            let tip = egui::pos2(self.x_of(rect, moved), y + 3.0);
+            let foot = [tip + Vec2::new(4.0, 7.0), tip + Vec2::new(-4.0, 7.0)];
+            painter.add(Shape::convex_polygon(vec![tip, foot[0], foot[1]], palette.warning, Stroke::NONE));
+        }
         let outside = !self.range.contains(&value);
         let line = if outside { palette.bad } else { palette.strong };
         let held = response.is_pointer_button_down_on() || response.hovered();

@@ -115,6 +115,7 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 /// The tools, from the right edge inwards where there is room.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
+    ui.spacing_mut().item_spacing.x = if bar.narrow { 6.0 } else { 12.0 };
     let look = Look::of(ui.ctx()).next();
     let button = ui.add(Button::new(look.sign()).frame(false));
     if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {

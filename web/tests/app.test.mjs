@@ -34,7 +34,7 @@ async function until(state, condition, what) {
 }
 
 async function choose(page, chooser, choice) {
-  await page.getByRole("combobox", { name: chooser }).dispatchEvent("click");
+  await page.getByRole("combobox", { name: chooser, exact: true }).dispatchEvent("click");
   const option = page.getByRole("option", { name: choice });
   await option.dispatchEvent("click");
   await option.waitFor({ state: "detached" });

@@ -38,20 +38,41 @@ async function inBrowser(page, name, request) {
 
 // Equal names and words, and numbers equal to 1e-12 of the largest in their list: the libraries of sin, exp and √(x² + y²) may
 // differ in the last bit, and a number that is a difference of larger ones inherits their rounding.
-function assertEqual(found, expected, scale = 0, path = "") {
+function assertEqual(found, expected, scale = 0, path = "", tolerance = 1e-12) {
   if (typeof expected === "number") {
     const difference = Math.abs(found - expected);
-    assert.ok(difference <= 1e-12 * Math.max(Math.abs(expected), scale), `${path}: ${found} is not ${expected}`);
+    assert.ok(difference <= tolerance * Math.max(Math.abs(expected), scale), `${path}: ${found} is not ${expected}`);
   } else if (expected !== null && typeof expected === "object") {
     assert.deepEqual(Object.keys(found), Object.keys(expected), path);
     const numbers = Array.isArray(expected) ? expected.flat(2).filter((x) => typeof x === "number") : [];
     const size = numbers.reduce((size, x) => Math.max(size, Math.abs(x)), scale);
     for (const key of Object.keys(expected)) {
-      assertEqual(found[key], expected[key], Array.isArray(expected) ? size : 0, `${path}.${key}`);
+      assertEqual(found[key], expected[key], Array.isArray(expected) ? size : 0, `${path}.${key}`, tolerance);
     }
   } else {
     assert.equal(found, expected, path);
   }
+}
+
+// A motion: its samples likewise, and to 1e-9 what amplifies a last bit. A figure is read where a curve crosses a level, between
+// samples that differ by little; a flight that isn't linear is integrated in steps whose length depends on every digit; the parts
+// of the modes cancel each other, so they are compared beside the largest of the same output.
+function assertSameMotion(found, expected) {
+  const { figures, split, nonlinear, ...samples } = expected;
+  const { figures: foundFigures, split: foundSplit, nonlinear: foundNonlinear, ...foundSamples } = found;
+  assertEqual(foundSamples, samples);
+  assertEqual(foundFigures, figures, 0, "figures", 1e-9);
+  const all = (split) => split && split.map(({ parts, rest, ...of }) => ({ of, values: [...parts.map(({ values }) => values), rest] }));
+  assertEqual(all(foundSplit), all(split), 0, "split", 1e-9);
+  assertEqual(foundNonlinear, nonlinear, 0, "nonlinear", 1e-9);
+}
+
+// A frequency response: the place of a peak is where the gain changes by less than its last bit, and so known to half the digits.
+function assertSameFrequencies(found, expected) {
+  const { peaks, ...samples } = expected;
+  const { peaks: foundPeaks, ...foundSamples } = found;
+  assertEqual(foundSamples, samples);
+  assertEqual(foundPeaks, peaks, 0, "peaks", 1e-7);
 }
 
 test("the example page lists the aircraft, shows the modes of one and draws its motion", async (t) => {
@@ -83,14 +104,19 @@ test("the example page in the dark on a phone", async (t) => {
   assert.deepEqual(seen.console, []);
 });
 
-test("numbers in the browser are those of the command line, to 1e-12", async (t) => {
+test("numbers in the browser are those of the command line, to 1e-12 or what becomes of it", async (t) => {
   const { page } = await open(t, { path: "example/" });
   for (const aircraft of ["navion", "b747-fc9", "lesson-printed"]) {
     assertEqual(await inBrowser(page, "analyse", { aircraft }), await native("analyse", aircraft));
-    assertEqual(await inBrowser(page, "respond", { aircraft, steps: 60 }), await native("respond", aircraft, "--steps=60"));
+    const motion = { aircraft, steps: 60, nonlinear: true };
+    assertSameMotion(await inBrowser(page, "respond", motion), await native("respond", aircraft, "--steps=60", "--nonlinear"));
+    assertSameFrequencies(await inBrowser(page, "frequency", { aircraft, output: "h" }), await native("frequency", aircraft, "--output=h"));
   }
   const gusts = { aircraft: "navion", disturbance: "turbulence", set: { time: 10 } };
-  assertEqual(await inBrowser(page, "respond", gusts), await native("respond", "navion", "--disturbance=turbulence", "--set=time=10"));
+  assertSameMotion(await inBrowser(page, "respond", gusts), await native("respond", "navion", "--disturbance=turbulence", "--set=time=10"));
+  const doublet = { aircraft: "navion", disturbance: "rudder", shape: "doublet", steps: 60, split: true };
+  const doubletTyped = ["respond", "navion", "--disturbance=rudder", "--shape=doublet", "--steps=60", "--split"];
+  assertSameMotion(await inBrowser(page, "respond", doublet), await native(...doubletTyped));
   const sweep = { aircraft: "navion", set: { speed: 60 }, parameter: "cg", from: -0.2, to: 0.3, points: 7 };
   const typed = ["sweep", "navion", "--set=speed=60", "--parameter=cg", "--from=-0.2", "--to=0.3", "--points=7"];
   assertEqual(await inBrowser(page, "sweep", sweep), await native(...typed));
@@ -125,16 +151,21 @@ test("the TypeScript types are those of the answers, no field more and none less
     ["Analysis", "analyse", { aircraft: "lesson", set: { a_qw: -0.1 } }],
     ["Motion", "respond", { aircraft: "navion", disturbance: "side-gust", steps: 2 }],
     ["Motion", "respond", { aircraft: "x15", disturbance: "mode", mode: "Phugoid", steps: 2 }],
+    ["Motion", "respond", { aircraft: "navion", nonlinear: true, split: true, set: { elevator: -0.25 }, steps: 2 }],
+    ["Motion", "respond", { aircraft: "lesson", nonlinear: true, split: true, set: { a_wu: 0, a_qu: 0 }, steps: 2 }],
+    ["FrequencyResponse", "frequency", { aircraft: "navion", disturbance: "aileron", output: "phi", points: 2 }],
     ["Sweep", "sweep", sweep],
   ];
   const lines = [
-    'import init, { analyse, list, parameters, respond, sweep } from "./eigenwing-core.js";',
-    'import type { Aircraft, Analysis, Motion, Parameter, Sweep } from "./eigenwing-core.js";',
+    'import init, { analyse, frequency, list, parameters, respond, sweep } from "./eigenwing-core.js";',
+    'import type { Aircraft, Analysis, FrequencyResponse, Motion, Parameter, Sweep } from "./eigenwing-core.js";',
     "await init();",
     "// @ts-expect-error: no aircraft has such a name",
     "analyse({ aircraft: 7 });",
     "// @ts-expect-error: a misspelt field",
     'respond({ aircraft: "navion", disturbence: "side-gust" });',
+    "// @ts-expect-error: turbulence is no input of one channel",
+    'frequency({ aircraft: "navion", disturbance: "turbulence" });',
   ];
   for (const [type, name, request] of answers) {
     const answer = await inBrowser(page, name, request);

@@ -76,7 +76,9 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     assert.match(await told(), new RegExp(`^${PLAYBACK}`));
     const before = await playback();
     for (let i = 0; i < 5; i += 1) await press("ArrowRight");
-    const after = await until(playback, (time) => time > before, "forward");
+    await until(playback, (time) => time > before, "forward");
+    await rest();
+    const after = await playback();
     await press("ArrowLeft");
     await until(playback, (time) => time < after, "back");
     await rest();
@@ -118,6 +120,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     await counts(sliders, 2, "one derivative");
     await counts(page.getByRole("slider", { name: "pitch damping C_mq" }), 1, "the one that was wanted");
     await press("Escape");
+    await rest();
     await hands(page).click(button("Show all sliders"));
     await counts(sliders, all, "all again");
   });

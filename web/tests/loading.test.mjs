@@ -24,7 +24,8 @@ test("the canvas fills the window", async (t) => {
 test("nothing is drawn while nothing moves", async (t) => {
   const { ready, drawCallsIn } = await open(t);
   await ready();
-  await drawCallsIn(1000);
+  // The first frames settle sizes and ranges; on a busy machine without a graphics card each takes a while.
+  for (let i = 0; i < 20 && (await drawCallsIn(500)) > 0; i += 1);
   assert.equal(await drawCallsIn(2000), 0);
 });
 

@@ -5,6 +5,7 @@ use std::process::Command;
 use anyhow::{Context as _, Result, ensure};
 
 use crate::chromium;
+use crate::packages;
 use crate::process;
 use crate::project::Project;
 
@@ -15,10 +16,7 @@ pub fn run(project: &Project) -> Result<()> {
     let chromium = chromium::find_or_install()?;
     let web = project.root.join("web");
 
-    if !packages_are_current(project) {
-        println!("Installing the browser tests' packages (once, a few seconds)");
-        process::run(npm().current_dir(&web).args(["ci", "--no-audit", "--no-fund"]))?;
-    }
+    packages::install(project)?;
 
     // Named one by one: what `node --test` makes of a folder differs between its versions.
     let mut tests = std::fs::read_dir(web.join("tests"))
@@ -48,19 +46,4 @@ fn check_node() -> Result<()> {
         version.trim()
     );
     Ok(())
-}
-
-/// npm keeps a copy of the lockfile that it installed from.
-fn packages_are_current(project: &Project) -> bool {
-    let modified = |file: &str| {
-        std::fs::metadata(project.root.join("web").join(file)).and_then(|file| file.modified()).ok()
-    };
-    match (modified("node_modules/.package-lock.json"), modified("package-lock.json")) {
-        (Some(installed), Some(wanted)) => installed >= wanted,
-        _ => false,
-    }
-}
-
-fn npm() -> Command {
-    Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" })
 }

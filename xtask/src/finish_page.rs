@@ -6,10 +6,12 @@
 //! Trunk gives the program's preload an `integrity` that browsers ignore, and say so on every
 //! start (crbug.com/981419); it is removed. Scripts and styles keep theirs.
 //!
+//! The program of a release page is made smaller by wasm-opt: its name keeps the hash of what Trunk has built, of which it follows.
+//!
 //! Beside a release page goes the core as a JavaScript module. Here, so that it is there however Trunk was
 //! called, and Trunk puts all of it in place at once.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use base64::Engine as _;
@@ -17,6 +19,8 @@ use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest as _, Sha256};
 
 use crate::core_module;
+use crate::packages;
+use crate::page::WASM_OPT;
 use crate::project::Project;
 
 const PLACEHOLDER: &str = "INLINE-SCRIPT-HASHES";
@@ -32,8 +36,22 @@ pub fn finish(project: &Project) -> Result<()> {
     std::fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))?;
     if std::env::var_os("TRUNK_PROFILE").is_some_and(|profile| profile == "release") {
         core_module::build(project, staging)?;
+        if let Some(wasm_opt) = std::env::var_os(WASM_OPT) {
+            for folder in [staging, &staging.join(core_module::FOLDERS[0])] {
+                for program in programs(folder)? {
+                    packages::optimise(Path::new(&wasm_opt), &program)?;
+                }
+            }
+        }
     }
     Ok(())
+}
+
+/// The WebAssembly in a folder.
+fn programs(folder: &Path) -> Result<Vec<PathBuf>> {
+    let entries = std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    let files = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    Ok(files.into_iter().filter(|file| file.extension().is_some_and(|ending| ending == "wasm")).collect())
 }
 
 fn with_hashes(page: &str) -> Result<String> {

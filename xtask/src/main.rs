@@ -6,6 +6,7 @@ mod core_module;
 mod finish_page;
 mod layers;
 mod licences;
+mod packages;
 mod page;
 mod page_size;
 mod process;

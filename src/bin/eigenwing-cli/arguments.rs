@@ -53,6 +53,37 @@ pub enum Command {
         /// Steps between the samples [default: 600]
         #[arg(long, value_name = "N")]
         steps: Option<usize>,
+        /// Fly the same in six degrees of freedom, too, without linearising
+        #[arg(long)]
+        nonlinear: bool,
+        /// Split every output into the parts of the modes
+        #[arg(long)]
+        split: bool,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Gain and phase of an output over the frequency of an input (Bode), with the peaks that modes make
+    Frequency {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        /// longitudinal or lateral [default: that of the disturbance or the output]
+        #[arg(long, value_name = "NAME")]
+        plane: Option<String>,
+        /// elevator, throttle, vertical-gust, head-gust, rudder, aileron or side-gust
+        #[arg(long, value_name = "NAME")]
+        disturbance: Option<String>,
+        /// Key of an output as `respond` names it, such as theta [default: q or beta]
+        #[arg(long = "output", value_name = "KEY")]
+        watched: Option<String>,
+        /// First angular frequency in rad/s [default: below all modes]
+        #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+        from: Option<f64>,
+        /// Last angular frequency in rad/s [default: above all modes]
+        #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+        to: Option<f64>,
+        /// Number of frequencies, both ends among them [default: 400]
+        #[arg(long, value_name = "N")]
+        points: Option<usize>,
         #[command(flatten)]
         output: Output,
     },

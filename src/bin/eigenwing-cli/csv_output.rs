@@ -1,8 +1,11 @@
 //! Answers as CSV: a head with units, every digit, an empty cell where there is no number.
 
 use eigenwing::export::{
-    AircraftReport, ParameterReport, PlaneOutcome, Report, ResponseReport, SweepPlane, SweepReport,
+    AircraftReport, FlightOutcome, FrequencyReport, ParameterReport, PlaneOutcome, Report, ResponseReport,
+    SplitOutcome, SweepPlane, SweepReport,
 };
+
+use crate::tables::heading;
 
 /// Text from a head and rows.
 fn csv<const N: usize>(head: [&str; N], mut rows: impl Iterator<Item = [String; N]>) -> String {
@@ -85,31 +88,61 @@ pub fn analysis(report: &Report) -> String {
     csv(head, rows)
 }
 
-/// One row a sample.
+/// One row a sample; in every row a cell for each quantity, empty where it has no sample there.
 pub fn response(report: &ResponseReport) -> String {
-    let signals: Vec<_> = report.inputs.iter().chain(&report.outputs).collect();
-    let heading = |name: &str, unit: &str| {
-        if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
+    let flight = report.nonlinear.as_ref().and_then(FlightOutcome::flight);
+    let time = match flight {
+        Some(flight) if flight.time.len() > report.time.len() => &flight.time,
+        _ => &report.time,
     };
-    let mut lines = Vec::with_capacity(report.time.len() + 1);
-    let mut head = vec![heading("time", "s")];
-    head.extend(signals.iter().map(|signal| heading(signal.name, signal.unit)));
-    lines.push(head.join(","));
-    for (k, time) in report.time.iter().enumerate() {
-        let values = signals.iter().map(|signal| signal.values.get(k).copied());
-        let row: Vec<String> = std::iter::once(Some(*time)).chain(values).map(optional).collect();
-        lines.push(row.join(","));
+    let mut columns: Vec<(String, &[f64])> = vec![(heading("time", "s"), time)];
+    for signal in report.inputs.iter().chain(&report.outputs) {
+        columns.push((heading(signal.name, signal.unit), &signal.values));
+    }
+    for signal in flight.into_iter().flat_map(|flight| &flight.outputs) {
+        columns.push((heading(&format!("{} nonlinear", signal.name), signal.unit), &signal.values));
+    }
+    for split in report.split.iter().flatten().filter_map(SplitOutcome::split) {
+        let parts = split.parts.iter().map(|part| (part.mode, &part.values));
+        for (mode, values) in parts.chain([("no mode", &split.rest)]) {
+            columns.push((heading(&format!("{} of {mode}", split.name), split.unit), values));
+        }
+    }
+    let mut lines = Vec::with_capacity(time.len() + 1);
+    lines.push(columns.iter().map(|(head, _)| head.as_str()).collect::<Vec<_>>().join(","));
+    for k in 0..time.len() {
+        let row = columns.iter().map(|(_, values)| optional(values.get(k).copied()));
+        lines.push(row.collect::<Vec<_>>().join(","));
     }
     lines.join("\n") + "\n"
 }
 
+/// What columns can't say: why some of those asked for aren't there, or end early.
+pub fn response_notes(report: &ResponseReport) -> Vec<String> {
+    let split = report.split.iter().flatten().filter_map(|outcome| match outcome {
+        SplitOutcome::Refused { name, error } => Some(format!("{name} is not split: {error}")),
+        SplitOutcome::Split(_) => None,
+    });
+    let flight = report.nonlinear.as_ref().and_then(|outcome| match outcome {
+        FlightOutcome::Refused { error } => Some(format!("no nonlinear flight: {error}")),
+        FlightOutcome::Flown(flight) => {
+            flight.stop.as_ref().map(|stop| format!("the nonlinear flight ends: {}", stop.sentence))
+        }
+    });
+    split.chain(flight).collect()
+}
+
+/// One row a frequency.
+pub fn frequency(report: &FrequencyReport) -> String {
+    let gain = heading("gain", &report.gain_unit);
+    let values = report.frequency.iter().zip(&report.gain).zip(&report.phase);
+    let row = |((frequency, gain), phase): ((&f64, &f64), &f64)| [frequency, gain, phase].map(f64::to_string);
+    csv(["frequency [rad/s]", gain.as_str(), "phase [rad]"], values.map(row))
+}
+
 /// One row a point and mode: modes come and go along a sweep, so they are no columns.
 pub fn sweep(report: &SweepReport) -> String {
-    let value = if report.unit.is_empty() {
-        report.parameter.to_owned()
-    } else {
-        format!("{} [{}]", report.parameter, report.unit)
-    };
+    let value = heading(report.parameter, report.unit);
     let head = [
         value.as_str(),
         "plane",

@@ -9,7 +9,9 @@
 
 mod arguments;
 mod csv_output;
+mod frequency_table;
 mod input;
+mod response_table;
 mod tables;
 
 use std::io::{ErrorKind, Write as _};
@@ -18,7 +20,9 @@ use std::process::ExitCode;
 use arguments::{Arguments, Command, Format};
 use clap::Parser as _;
 use clap::error::ErrorKind as Misuse;
-use eigenwing::export::{self, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest};
+use eigenwing::export::{
+    self, FrequencyRequest, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest,
+};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
@@ -65,19 +69,40 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::analysis(&report),
             }
         }
-        Command::Respond { subject, plane, disturbance, shape, mode, steps, output } => {
+        Command::Respond { subject, plane, disturbance, shape, mode, steps, nonlinear, split, output } => {
             let request = ResponseRequest {
                 plane: plane.clone(),
                 disturbance: disturbance.clone(),
                 shape: shape.clone(),
                 mode: mode.clone(),
                 steps: *steps,
+                nonlinear: *nonlinear,
+                split: *split,
             };
             let report = export::respond(&subject.read()?, &request)?;
             match output.format() {
-                Format::Table => tables::response(&report),
+                Format::Table => response_table::response(&report),
                 Format::Json => json(&report),
-                Format::Csv => csv_output::response(&report),
+                Format::Csv => {
+                    csv_output::response_notes(&report).iter().for_each(|note| eprintln!("note: {note}"));
+                    csv_output::response(&report)
+                }
+            }
+        }
+        Command::Frequency { subject, plane, disturbance, watched, from, to, points, output } => {
+            let request = FrequencyRequest {
+                plane: plane.clone(),
+                disturbance: disturbance.clone(),
+                output: watched.clone(),
+                from: *from,
+                to: *to,
+                points: *points,
+            };
+            let report = export::frequency(&subject.read()?, &request)?;
+            match output.format() {
+                Format::Table => frequency_table::frequency(&report),
+                Format::Json => json(&report),
+                Format::Csv => csv_output::frequency(&report),
             }
         }
         Command::Sweep { subject, parameter, from, to, points, output } => {

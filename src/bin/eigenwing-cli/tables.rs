@@ -2,8 +2,8 @@
 
 use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
 use eigenwing::export::{
-    AircraftReport, ParameterReport, PlaneOutcome, PlaneReport, Report, ResponseReport, StiffnessReport,
-    SweepChange, SweepPlane, SweepReport, ValueReport,
+    AircraftReport, ParameterReport, PlaneOutcome, PlaneReport, Report, StiffnessReport, SweepChange,
+    SweepPlane, SweepReport, ValueReport,
 };
 use eigenwing::number::significant;
 
@@ -13,20 +13,17 @@ const DIGITS: usize = 4;
 const STYLE: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
 
 /// Rows that a person reads; more are for `--csv`.
-const SAMPLES: usize = 20;
+const ROWS: usize = 20;
 
-/// Columns of a motion that fit side by side; likewise.
-const OUTPUTS: usize = 5;
-
-fn number(x: f64) -> String {
+pub fn number(x: f64) -> String {
     significant(x, DIGITS)
 }
 
-fn optional(value: Option<f64>) -> String {
+pub fn optional(value: Option<f64>) -> String {
     value.map_or_else(String::new, number)
 }
 
-fn percent(value: Option<f64>) -> String {
+pub fn percent(value: Option<f64>) -> String {
     value.map_or_else(String::new, |x| format!("{} %", significant(100.0 * x, 3)))
 }
 
@@ -36,7 +33,7 @@ fn eigenvalue(re: f64, im: f64) -> String {
 }
 
 /// A table whose first `words` columns are words and the others numbers.
-fn table(words: usize, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+pub fn table(words: usize, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut table = Table::new();
     table.load_style(STYLE);
     let cell = |(k, text): (usize, String)| {
@@ -48,6 +45,16 @@ fn table(words: usize, head: &[&str], rows: impl Iterator<Item = Vec<String>>) -
         table.add_row(row.into_iter().enumerate().map(cell));
     }
     table.trim_fmt() + "\n"
+}
+
+/// Name and unit, for a head.
+pub fn heading(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
+}
+
+/// The step by which so many rows become few enough to be read.
+pub fn stride(rows: usize) -> usize {
+    rows.saturating_sub(1).div_ceil(ROWS).max(1)
 }
 
 pub fn list(list: &[AircraftReport]) -> String {
@@ -157,39 +164,9 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
     text + &table(2, &head, approximations)
 }
 
-pub fn response(report: &ResponseReport) -> String {
-    let signals: Vec<_> = report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)).collect();
-    let heads: Vec<String> = std::iter::once(("time", "s"))
-        .chain(signals.iter().map(|signal| (signal.name, signal.unit)))
-        .map(|(name, unit)| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") })
-        .collect();
-    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    let last = report.time.len().saturating_sub(1);
-    let step = last.div_ceil(SAMPLES).max(1);
-    let rows = (0..=last).step_by(step).map(|k| {
-        let values = signals.iter().map(|signal| signal.values.get(k).copied());
-        std::iter::once(report.time.get(k).copied()).chain(values).map(optional).collect()
-    });
-    let disturbance: Vec<&str> =
-        [Some(report.disturbance), report.shape, report.mode].into_iter().flatten().collect();
-    let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, disturbance.join(" "));
-    text += &table(0, &heads, rows);
-    if step > 1 {
-        text +=
-            &format!("Every {step}th of {} samples; --csv and --json give all, of more outputs.\n", last + 1);
-    }
-    if let Some(time) = report.small_until {
-        text += &format!("From {} s on this is no small disturbance any more.\n", number(time));
-    }
-    if let Some(time) = report.cut_at {
-        text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));
-    }
-    text
-}
-
 pub fn sweep(report: &SweepReport) -> String {
-    let value = format!("{} [{}]", report.parameter, report.unit);
-    let head = [value.trim_end_matches(" []"), "mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "static", "dynamic"];
+    let value = heading(report.parameter, report.unit);
+    let head = [value.as_str(), "mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "static", "dynamic"];
     let rows = report.points.iter().flat_map(|point| {
         let at = number(point.value);
         let planes = [&point.longitudinal, &point.lateral].into_iter().flatten();

@@ -1,4 +1,4 @@
-//! The core as a JavaScript module: `list`, `parameters`, `analyse`, `respond` and `sweep` on plain objects.
+//! The core as a JavaScript module: `list`, `parameters`, `analyse`, `respond`, `frequency` and `sweep` on plain objects.
 //!
 //! `cargo xtask build` makes `dist/core/eigenwing-core.js`, its `.wasm` and its types; `docs/JAVASCRIPT.md` shows how to use them.
 //! Requests and answers go through JSON, which keeps every bit of a number.
@@ -44,6 +44,14 @@ mod exports {
         #[wasm_bindgen(unchecked_param_type = "Subject & ResponseRequest")] request: JsValue,
     ) -> Result<JsValue, JsValue> {
         read(json::respond(&written(&request)?))
+    }
+
+    /// Gain and phase over frequency.
+    #[wasm_bindgen(unchecked_return_type = "FrequencyResponse")]
+    pub fn frequency(
+        #[wasm_bindgen(unchecked_param_type = "Subject & FrequencyRequest")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::frequency(&written(&request)?))
     }
 
     /// The modes along a range of one parameter.

@@ -28,6 +28,10 @@ export interface ResponseRequest {
   mode?: string;
   /** Steps between the samples, 600 by default. */
   steps?: number;
+  /** Whether the same is flown in six degrees of freedom, without linearising. */
+  nonlinear?: boolean;
+  /** Whether each output is split into the parts of the modes. */
+  split?: boolean;
 }
 
 export type Disturbance =
@@ -42,6 +46,21 @@ export type Disturbance =
   | "release"
   | "mode";
 export type Shape = "step" | "pulse" | "doublet" | "3-2-1-1" | "sine" | "sweep" | "1-cosine";
+
+export interface FrequencyRequest {
+  /** By default that of the disturbance, else that of the output, else the aircraft's first. */
+  plane?: PlaneName;
+  /** By default elevator or rudder. */
+  disturbance?: Exclude<Disturbance, "turbulence" | "release" | "mode">;
+  /** Name of an output, as `respond()` gives them; "q" or "beta" by default. */
+  output?: string;
+  /** First angular frequency in rad/s, by default below all modes. */
+  from?: number;
+  /** Last angular frequency in rad/s, by default above all modes. */
+  to?: number;
+  /** Number of frequencies, 400 by default. */
+  points?: number;
+}
 
 export interface SweepRequest {
   /** Key of the parameter. */
@@ -199,6 +218,66 @@ export interface Motion {
   small_until: number | null;
   /** Seconds; null if all samples are there. */
   cut_at: number | null;
+  /** Of the motion while it is a small disturbance, at 1,200 steps or more. */
+  figures: Figures;
+  /** One an output; null where it wasn't asked for. */
+  split: (Split | { name: string; error: string })[] | null;
+  /** Null where it wasn't asked for. */
+  nonlinear: Flight | { error: string } | null;
+}
+
+export interface Figures {
+  /** When the disturbance begins, in seconds. */
+  start: number;
+  outputs: OutputFigures[];
+  /** Largest change, in g: normal or lateral after the plane. */
+  peak_load_factor: Peak | null;
+  /** Seconds after the start to 30° of bank either way; of lateral motion. */
+  time_to_bank: number | null;
+  /** Metres between the first two turning points of the phugoid's part of the height. */
+  phugoid_swing: number | null;
+  /** rad/s² per g; of the elevator. */
+  control_anticipation: number | null;
+}
+
+export interface OutputFigures {
+  name: string;
+  /** SI unit; empty for a ratio. */
+  unit: string;
+  /** Farthest from zero. */
+  peak: Peak | null;
+  /** What it goes to after a step; null where it goes to nothing. */
+  steady: number | null;
+  /** Seconds from 10 % to 90 % of the steady value. */
+  rise_time: number | null;
+  /** Seconds after the step until it stays within 2 % of the steady value. */
+  settling_time: number | null;
+  /** As a fraction of the steady value; null where it hasn't gone beyond it and may yet. */
+  overshoot: number | null;
+}
+
+export interface Peak {
+  value: number;
+  /** Seconds. */
+  time: number;
+}
+
+export interface Split {
+  name: string;
+  unit: string;
+  /** One a mode; with `rest` they add up to the output. */
+  parts: { mode: string; values: number[] }[];
+  /** What no mode makes: what the input does at once, and the drift of the path. */
+  rest: number[];
+}
+
+export interface Flight {
+  /** Seconds: the samples until it stops. */
+  time: number[];
+  /** As a change from the steady flight, in the order of the linear outputs. */
+  outputs: Signal[];
+  /** Null where it flew to the end. */
+  stop: { time: number; sentence: string } | null;
 }
 
 export interface Signal {
@@ -207,6 +286,26 @@ export interface Signal {
   unit: string;
   /** One a time. */
   values: number[];
+}
+
+export interface FrequencyResponse {
+  aircraft: Aircraft;
+  set: Record<string, number>;
+  plane: PlaneName;
+  disturbance: Disturbance;
+  /** Air is positive forward, downward and to the right. */
+  input: { name: string; unit: string };
+  output: { name: string; unit: string };
+  /** Unit of the output for one of the input. */
+  gain_unit: string;
+  /** rad/s. */
+  frequency: number[];
+  /** One a frequency. */
+  gain: number[];
+  /** Radians, one a frequency, continuous. */
+  phase: number[];
+  /** Local maxima of the gain, with the oscillation nearest in frequency. */
+  peaks: { mode: string; frequency: number; gain: number }[];
 }
 
 export interface Sweep {

@@ -14,7 +14,7 @@ use std::ops::RangeInclusive;
 use thiserror::Error;
 
 use super::{Dimension, Scenario, Sizes};
-use crate::flight::coefficients::{LateralCoefficients, LongitudinalCoefficients};
+use crate::flight::coefficients::{Coefficients, LateralCoefficients, LongitudinalCoefficients};
 use crate::flight::condition::FlightCondition;
 use crate::flight::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use crate::flight::knobs::Knobs;
@@ -255,6 +255,17 @@ impl Parameter {
     /// Its value \[SI\]; zero where the aircraft has none.
     pub fn get(&self, scenario: &Scenario) -> f64 {
         self.value(scenario).unwrap_or(0.0)
+    }
+
+    /// Its value \[SI\] among the coefficients that are in effect, where knobs and flight condition have moved it away from its own.
+    pub fn in_effect(&self, scenario: &Scenario, coefficients: &Coefficients) -> Option<f64> {
+        let moved = match self.place {
+            Place::LongitudinalCoefficient(of) => read(of, &coefficients.longitudinal),
+            Place::LateralCoefficient(of) => read(of, coefficients.lateral.as_ref()?),
+            _ => return None,
+        };
+        let own = self.value(scenario)?;
+        ((moved - own).abs() > 1e-9 * own.abs().max(moved.abs())).then_some(moved)
     }
 
     /// Its value \[SI\], if the aircraft has it.

@@ -35,6 +35,8 @@ pub fn figures_ui(ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>)
 /// What concerns the whole motion, a sentence each.
 fn whole(studied: Studied<'_>) -> Vec<String> {
     let Studied { motion, modes, scenario, .. } = studied;
+    // Let go, in one mode or in turbulence the disturbance is there from the first.
+    let from = if scenario.disturbance.choice(studied.plane()).shape().is_some() { START } else { 0.0 };
     let dt = motion.response.dt;
     let mut lines = Vec::new();
     match studied.plane() {
@@ -61,7 +63,7 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
             }
         }
         Plane::Lateral => {
-            if let Some(time) = time_to_bank(&motion.values(Output::BankAngle), dt, START) {
+            if let Some(time) = time_to_bank(&motion.values(Output::BankAngle), dt, from) {
                 lines.push(format!("30° of bank after {} s", significant(time, 3)));
             }
             if let Some((time, load)) = peak(&motion.values(Output::SideLoad), dt) {
@@ -101,6 +103,11 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
                 amplitude.and_then(|size| steady_output(studied.modes, &row, &motion.forced, 0, size));
             let figures = steady.and_then(|steady| step_figures(values, motion.response.dt, START, steady));
             let most = peak(values, motion.response.dt);
+            // Beside the motion this is rounding.
+            let steady = steady.map(|value| {
+                let size = most.map_or(0.0, |(_, most)| most.abs());
+                if value.abs() <= 1e-9 * size { 0.0 } else { value }
+            });
             symbol_ui(ui, &Symbol::parse(quantity.symbol), 14.0, palette.text, None);
             ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
                 .on_hover_text(quantity.name);

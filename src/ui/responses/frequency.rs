@@ -8,8 +8,7 @@ use super::studied::{Studied, input_words, units};
 use super::time::grid;
 use super::{index, output_ui};
 use crate::content::LengthUnit;
-use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_response, peaks};
-use crate::flight::modes::Mode;
+use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
@@ -60,7 +59,7 @@ impl FrequencyPlots {
         let (input, _, dimension, _) = input_words(studied.plane(), channel);
         let (quantity, unit, _) = units(output, studied.scenario);
         let input_unit = dimension.symbol(LengthUnit::Metre);
-        let range = frequencies(studied.modes);
+        let range = frequency_range(studied.modes);
         let pinned = ghost.map(|ghost| bode(ghost, output, range));
         let bode = bode(studied, output, range);
         peaks_ui(ui, &bode, unit, input_unit);
@@ -107,13 +106,6 @@ impl FrequencyPlots {
         self.gain.show(ui, places[0], &gain, None);
         self.phase.show(ui, places[1], &phase, None);
     }
-}
-
-/// Two decades beyond the modes at most, on whole decades.
-fn frequencies(modes: &[Mode]) -> (f64, f64) {
-    let sizes = modes.iter().map(|mode| mode.lambda.norm()).filter(|size| *size > 1e-4);
-    let (low, high) = sizes.fold((1.0_f64, 1.0_f64), |(low, high), size| (low.min(size), high.max(size)));
-    (10_f64.powf((0.5 * low).log10().floor()), 10_f64.powf((2.0 * high).log10().ceil().min(4.0)))
 }
 
 fn bode(studied: Studied<'_>, output: Output, range: (f64, f64)) -> Bode {

@@ -109,7 +109,7 @@ impl Studied<'_> {
 
     /// The inputs as they are, their edges upright, with symbol and dimension of the first; none where nothing moves.
     pub fn inputs(&self, palette: &Palette) -> Option<(&'static str, Dimension, Vec<Curve>)> {
-        let experiment = self.scenario.experiment();
+        let experiment = &self.motion.experiment;
         let end = experiment.grid.duration;
         let mut shown = None;
         let mut curves = Vec::new();

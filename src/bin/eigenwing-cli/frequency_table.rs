@@ -1,0 +1,30 @@
+//! A frequency response as a table for people.
+
+use eigenwing::export::FrequencyReport;
+
+use crate::tables::{heading, number, stride, table};
+
+pub fn frequency(report: &FrequencyReport) -> String {
+    let FrequencyReport { aircraft, plane, input, output, gain_unit, frequency, gain, phase, .. } = report;
+    let step = stride(frequency.len());
+    let values = frequency.iter().zip(gain).zip(phase).step_by(step);
+    let rows = values.map(|((frequency, gain), phase)| {
+        let decibels = 20.0 * gain.log10();
+        let decibels = if decibels.is_finite() { number(decibels) } else { String::new() };
+        vec![number(*frequency), number(*gain), decibels, number(*phase), number(phase.to_degrees())]
+    });
+    let head = ["ω [rad/s]", &heading("gain", gain_unit), "dB", "phase [rad]", "°"];
+    let mut text = format!("{}: {plane}, {} of {}\n", aircraft.name, output.name, input.name);
+    text += &table(0, &head, rows);
+    if step > 1 {
+        text += &format!("Every {step}th of {} frequencies; --csv and --json give all.\n", frequency.len());
+    }
+    if report.peaks.is_empty() {
+        text += "No peak: no oscillation of this output stands out.\n";
+    }
+    for peak in &report.peaks {
+        let (gain, at) = (number(peak.gain), number(peak.frequency));
+        text += &format!("{} peak: {gain} {gain_unit} at {at} rad/s\n", peak.mode);
+    }
+    text
+}

@@ -1,0 +1,126 @@
+//! A motion as tables for people: samples, figures, and what else was asked for.
+
+use eigenwing::export::{FiguresReport, FlightOutcome, ResponseReport, Signal, SplitOutcome, SplitReport};
+
+use crate::tables::{heading, number, optional, percent, stride, table};
+
+/// Columns of a motion that fit side by side; more are for `--csv`.
+const OUTPUTS: usize = 5;
+
+pub fn response(report: &ResponseReport) -> String {
+    let disturbance: Vec<&str> =
+        [Some(report.disturbance), report.shape, report.mode].into_iter().flatten().collect();
+    let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, disturbance.join(" "));
+    text += &samples(&report.time, report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)));
+    if let Some(time) = report.small_until {
+        text += &format!("From {} s on this is no small disturbance any more.\n", number(time));
+    }
+    if let Some(time) = report.cut_at {
+        text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));
+    }
+    text += &figures(&report.figures);
+    match &report.nonlinear {
+        Some(FlightOutcome::Flown(flight)) => {
+            text += "\nNonlinear flight\n";
+            text += &samples(&flight.time, flight.outputs.iter().take(OUTPUTS));
+            if let Some(stop) = &flight.stop {
+                text += &format!("Nonlinear flight ends: {}.\n", stop.sentence);
+            }
+        }
+        Some(FlightOutcome::Refused { error }) => text += &format!("\nNo nonlinear flight: {error}.\n"),
+        None => {}
+    }
+    text + &report.split.as_deref().map_or_else(String::new, parts)
+}
+
+/// A row a sample, as many as can be read.
+fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>) -> String {
+    let signals: Vec<&Signal> = signals.collect();
+    let heads: Vec<String> = std::iter::once(heading("time", "s"))
+        .chain(signals.iter().map(|signal| heading(signal.name, signal.unit)))
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let step = stride(time.len());
+    let columns: Vec<(&[f64], f64)> =
+        signals.iter().map(|signal| (signal.values.as_slice(), largest(&signal.values))).collect();
+    let rows = (0..time.len()).step_by(step).map(|k| {
+        let cell =
+            |&(values, most): &(&[f64], f64)| optional(values.get(k).map(|x| unless_rounding(*x, most)));
+        std::iter::once(optional(time.get(k).copied())).chain(columns.iter().map(cell)).collect()
+    });
+    let mut text = table(0, &heads, rows);
+    if step > 1 {
+        text += &format!(
+            "Every {step}th of {} samples; --csv and --json give all, of more outputs.\n",
+            time.len()
+        );
+    }
+    text
+}
+
+/// A row an output, and what concerns the whole motion.
+fn figures(figures: &FiguresReport) -> String {
+    let seconds = |time: Option<f64>| time.map_or_else(String::new, |t| format!("{} s", number(t)));
+    let rows = figures.outputs.iter().map(|of| {
+        vec![
+            heading(of.name, of.unit),
+            optional(of.peak.map(|peak| peak.value)),
+            seconds(of.peak.map(|peak| peak.time)),
+            optional(of.steady),
+            seconds(of.rise_time),
+            seconds(of.settling_time),
+            percent(of.overshoot),
+        ]
+    });
+    let head = ["output", "peak", "at", "steady", "rise", "settled", "overshoot"];
+    let mut text = format!("\n{}", table(1, &head, rows));
+    if let Some(peak) = figures.peak_load_factor {
+        let (value, time) = (number(peak.value), number(peak.time));
+        text += &format!("Largest change of load factor: {value} g at {time} s\n");
+    }
+    if let Some(time) = figures.time_to_bank {
+        text += &format!("30° of bank after {} s\n", number(time));
+    }
+    if let Some(height) = figures.phugoid_swing {
+        text += &format!("Phugoid, first swing of the height: {} m\n", number(height));
+    }
+    if let Some(parameter) = figures.control_anticipation {
+        text += &format!("Control anticipation parameter: {} rad/s² per g\n", number(parameter));
+    }
+    text
+}
+
+/// How large the part of each mode becomes: a row an output, a column a mode.
+fn parts(outcomes: &[SplitOutcome]) -> String {
+    let splits: Vec<&SplitReport> = outcomes.iter().filter_map(SplitOutcome::split).collect();
+    let mut text = String::new();
+    if let Some(first) = splits.first() {
+        let modes = first.parts.iter().map(|part| part.mode);
+        let head: Vec<&str> = ["largest part"].into_iter().chain(modes).chain(["no mode"]).collect();
+        let rows = splits.iter().map(|split| {
+            let all = split.parts.iter().map(|part| &part.values).chain([&split.rest]);
+            let peaks: Vec<f64> = all.map(|values| largest(values)).collect();
+            let most = largest(&peaks);
+            let mut row = vec![heading(split.name, split.unit)];
+            row.extend(peaks.iter().map(|peak| number(unless_rounding(*peak, most))));
+            row
+        });
+        text += &format!("\n{}", table(1, &head, rows));
+    }
+    for outcome in outcomes {
+        if let SplitOutcome::Refused { name, error } = outcome {
+            text += &format!("{name} is not split: {error}.\n");
+        }
+    }
+    text
+}
+
+/// The value farthest from zero, with its sign.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
+}
+
+/// A value so much smaller than the others that it is zero but for rounding, as zero.
+fn unless_rounding(x: f64, others: f64) -> f64 {
+    if x.abs() <= 1e-12 * others.abs() { 0.0 } else { x }
+}

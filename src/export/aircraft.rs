@@ -1,0 +1,55 @@
+//! What an aircraft says of itself.
+
+use serde::Serialize;
+
+use super::subject::plane_name;
+use crate::content::{Aircraft, Status};
+use crate::flight::mil_f_8785c::{Category, Class};
+use crate::flight::plane::Plane;
+
+/// Which aircraft was asked about.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AircraftReport {
+    /// Short name; `file` for bare matrices.
+    pub key: String,
+    /// Name in words.
+    pub name: String,
+    /// Flight condition in words.
+    pub condition: String,
+    /// Where its numbers come from.
+    pub source: String,
+    /// `verified` where every published number is reproduced, else `unverified`.
+    pub status: &'static str,
+    /// Why, in a sentence or two.
+    pub status_reason: String,
+    /// Class of MIL-F-8785C, our assignment.
+    pub class: Option<&'static str>,
+    /// Flight-phase category of MIL-F-8785C, our assignment.
+    pub phase: Option<&'static str>,
+    /// The planes of motion that it has data of.
+    pub planes: Vec<&'static str>,
+}
+
+impl AircraftReport {
+    /// What an aircraft says of itself.
+    pub fn of(aircraft: &Aircraft) -> Self {
+        let name_of = |status| Status::NAMES.iter().find(|(_, s)| *s == status).map_or("", |(name, _)| name);
+        let models = aircraft.study.models().unwrap_or_default();
+        let planes = [Plane::Longitudinal, Plane::Lateral];
+        Self {
+            key: aircraft.key.clone(),
+            name: aircraft.name.clone(),
+            condition: aircraft.condition.clone(),
+            source: aircraft.source.clone(),
+            status: name_of(aircraft.status),
+            status_reason: aircraft.status_reason.clone(),
+            class: aircraft
+                .class
+                .and_then(|class| Class::NAMES.iter().find(|(_, c)| *c == class).map(|&(name, _)| name)),
+            phase: aircraft
+                .phase
+                .and_then(|phase| Category::NAMES.iter().find(|(_, c)| *c == phase).map(|&(name, _)| name)),
+            planes: planes.into_iter().filter(|plane| models.of(*plane).is_some()).map(plane_name).collect(),
+        }
+    }
+}

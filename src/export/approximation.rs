@@ -1,0 +1,66 @@
+//! Textbook approximations beside the exact modes.
+
+use serde::Serialize;
+
+use crate::flight::approximations::{Approximation, ModeValue};
+
+/// A textbook approximation beside the exact mode.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ApproximationReport {
+    /// The mode that it approximates.
+    pub mode: &'static str,
+    /// What it is called.
+    pub name: &'static str,
+    /// Its formula.
+    pub formula: &'static str,
+    /// What it leaves out.
+    pub neglects: &'static str,
+    /// What it gives; null where it gives nothing.
+    pub value: Option<ValueReport>,
+    /// The exact mode; null where the aircraft has none.
+    pub exact: Option<ValueReport>,
+    /// Relative error of ωₙ or of the root.
+    pub error: Option<f64>,
+    /// Relative error of ζ.
+    pub damping_error: Option<f64>,
+}
+
+/// What an approximation or a mode is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ValueReport {
+    /// An oscillation, or two roots taken together.
+    SecondOrder {
+        /// ωₙ.
+        natural_frequency: f64,
+        /// ζ, where the approximation gives one.
+        damping_ratio: Option<f64>,
+    },
+    /// A real root.
+    Root {
+        /// λ.
+        root: f64,
+    },
+}
+
+impl ApproximationReport {
+    /// An approximation as it is told.
+    pub fn of(approximation: &Approximation) -> Self {
+        let value = |value: ModeValue| match value {
+            ModeValue::SecondOrder { natural_frequency, damping_ratio } => {
+                ValueReport::SecondOrder { natural_frequency, damping_ratio }
+            }
+            ModeValue::Root(root) => ValueReport::Root { root },
+        };
+        Self {
+            mode: approximation.name.concerns().text(),
+            name: approximation.name.text(),
+            formula: approximation.formula,
+            neglects: approximation.neglects,
+            value: approximation.value.map(value),
+            exact: approximation.exact.map(value),
+            error: approximation.error(),
+            damping_error: approximation.damping_error(),
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! The numbers a course asks of a motion.
+
+use serde::Serialize;
+
+use crate::flight::analysis::Motion;
+use crate::flight::figures::{
+    control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
+};
+use crate::flight::inputs::Input;
+use crate::flight::modes::Mode;
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::scenario::{Quantity, START, Scenario, Source};
+
+/// Figures of a motion: of its samples from the first to where it is no small disturbance any more, at 1,200 steps or more.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FiguresReport {
+    /// When the disturbance begins \[s\]: times after it count from here.
+    pub start: f64,
+    /// Of each output, in their order.
+    pub outputs: Vec<OutputFigures>,
+    /// Largest change of the load factor, normal or lateral after the plane, with its sign.
+    pub peak_load_factor: Option<PeakReport>,
+    /// Time after the start at which the bank angle first is 30° either way \[s\]; of lateral motion.
+    pub time_to_bank: Option<f64>,
+    /// Height between the first two turning points of the phugoid's part of the height \[m\]; of longitudinal motion.
+    pub phugoid_swing: Option<f64>,
+    /// First pitch acceleration over the load factor at which the short period settles \[rad/s² per g\]; of the elevator.
+    pub control_anticipation: Option<f64>,
+}
+
+/// Figures of one output, in its SI unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OutputFigures {
+    /// Name of the output.
+    pub name: &'static str,
+    /// Its SI unit; empty for a ratio.
+    pub unit: &'static str,
+    /// Value farthest from zero.
+    pub peak: Option<PeakReport>,
+    /// Value that it goes to after a step; null where it goes to none.
+    pub steady: Option<f64>,
+    /// Time from 10 % to 90 % of the steady value, both for the first time \[s\].
+    pub rise_time: Option<f64>,
+    /// Time after the step from which it stays within 2 % of the steady value \[s\].
+    pub settling_time: Option<f64>,
+    /// How far it goes beyond the steady value, as a fraction of it; null where it hasn't and may yet.
+    pub overshoot: Option<f64>,
+}
+
+/// A value farthest from zero.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PeakReport {
+    /// The value, with its sign.
+    pub value: f64,
+    /// When \[s\].
+    pub time: f64,
+}
+
+impl FiguresReport {
+    pub(super) fn of(scenario: &Scenario, motion: &Motion, modes: &[Mode]) -> Self {
+        let (plane, dt) = (motion.model.plane, motion.response.dt);
+        // Up to the first sample that is not small, this one too.
+        let samples = motion.small_until.map_or(usize::MAX, |time| (time / dt).round() as usize + 1);
+        let values = |output: Output| {
+            let mut values = motion.values(output);
+            values.truncate(samples);
+            values
+        };
+        let source = scenario.disturbance.choice(plane).source;
+        // What has no shape of its own to begin with disturbs from the first sample on.
+        let start = if source.shapes().is_empty() { 0.0 } else { START };
+        let load = match plane {
+            Plane::Longitudinal => Output::NormalLoad,
+            Plane::Lateral => Output::SideLoad,
+        };
+        let swing = || {
+            let mut height = motion.split(modes, Output::Height).ok()?;
+            height.parts.iter_mut().for_each(|part| part.truncate(samples));
+            phugoid_swing(modes, &height)
+        };
+        let banked = || time_to_bank(&values(Output::BankAngle), dt, start);
+        let anticipation = || control_anticipation(&motion.model, modes, &motion.forced, 0);
+        Self {
+            start,
+            outputs: Output::of(plane)
+                .iter()
+                .map(|&output| OutputFigures::of(output, motion, modes, &values(output)))
+                .collect(),
+            peak_load_factor: PeakReport::of(&values(load), dt),
+            time_to_bank: (plane == Plane::Lateral).then(banked).flatten(),
+            phugoid_swing: (plane == Plane::Longitudinal).then(swing).flatten(),
+            control_anticipation: (source == Source::Elevator).then(anticipation).flatten(),
+        }
+    }
+}
+
+impl OutputFigures {
+    fn of(output: Output, motion: &Motion, modes: &[Mode], values: &[f64]) -> Self {
+        let dt = motion.response.dt;
+        let steady = match motion.forced.forcings.first().map(|forcing| &forcing.input) {
+            Some(Input::Step { amplitude, .. }) => {
+                let row = output.row(&motion.model, &motion.forced);
+                steady_output(modes, &row, &motion.forced, 0, *amplitude)
+            }
+            _ => None,
+        };
+        let peak = PeakReport::of(values, dt);
+        // A steady value that is zero on paper is rounding.
+        let rounding = 1e-12 * peak.map_or(0.0, |peak| peak.value.abs());
+        let steady = steady.map(|steady| if steady.abs() <= rounding { 0.0 } else { steady });
+        let figures = steady.and_then(|steady| step_figures(values, dt, START, steady));
+        let Quantity { key, dimension, .. } = Quantity::of(output);
+        Self {
+            name: key,
+            unit: dimension.si_symbol(),
+            peak,
+            steady,
+            rise_time: figures.and_then(|figures| figures.rise_time),
+            settling_time: figures.and_then(|figures| figures.settling_time),
+            // None so far says nothing of a motion that is still on its way.
+            overshoot: figures
+                .filter(|figures| figures.overshoot > 0.0 || figures.settling_time.is_some())
+                .map(|figures| figures.overshoot),
+        }
+    }
+}
+
+impl PeakReport {
+    fn of(values: &[f64], dt: f64) -> Option<Self> {
+        peak(values, dt).map(|(time, value)| Self { value, time })
+    }
+}

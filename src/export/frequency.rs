@@ -1,0 +1,181 @@
+//! The frequency response of an output to an input: Bode's plot in numbers.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::aircraft::AircraftReport;
+use super::disturbance::{DISTURBANCES, channel_name, choose_disturbance, named, no_motion};
+use super::subject::{ExportError, Subject, plane_name};
+use super::sweep::MOST_POINTS;
+use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
+use crate::flight::outputs::Output;
+use crate::flight::plane::Plane;
+use crate::scenario::{Quantity, Source};
+
+/// Frequencies \[rad/s\] that are accepted: no motion of an aircraft is beyond them.
+pub const FREQUENCIES: [f64; 2] = [1e-6, 1e6];
+
+/// The response is followed over as many steps at least, however few were asked for, so that no peak and no turn of the phase is
+/// missed between two of them.
+const STEPS_FOLLOWED: usize = 2000;
+
+/// Of what to what, and where.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FrequencyRequest {
+    /// `longitudinal` or `lateral`; by default that of the disturbance, else that of the output, else the aircraft's first.
+    pub plane: Option<String>,
+    /// One of [`DISTURBANCES`] that enters by one channel, a control or a gust; by default the plane's first, elevator or rudder.
+    pub disturbance: Option<String>,
+    /// Key of an output, as in the answer of [`super::respond`]; by default the pitch rate `q` or the sideslip `beta`.
+    pub output: Option<String>,
+    /// First angular frequency \[rad/s\]; by default below all modes, on a whole decade.
+    pub from: Option<f64>,
+    /// Last angular frequency \[rad/s\]; by default above all modes, on a whole decade.
+    pub to: Option<f64>,
+    /// Number of frequencies, evenly spread over a logarithmic axis, both ends among them; 400 by default.
+    pub points: Option<usize>,
+}
+
+/// A frequency response.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FrequencyReport {
+    /// The aircraft.
+    pub aircraft: AircraftReport,
+    /// What was set on it, SI.
+    pub set: BTreeMap<String, f64>,
+    /// `longitudinal` or `lateral`.
+    pub plane: &'static str,
+    /// The disturbance by its name in a request.
+    pub disturbance: &'static str,
+    /// What enters: air is positive forward, downward and to the right, whatever the sense of the disturbance's size.
+    pub input: Measured,
+    /// What moves.
+    pub output: Measured,
+    /// Unit of the gain: that of the output for one of the input.
+    pub gain_unit: String,
+    /// Angular frequencies ω \[rad/s\]; without those at which the response is infinite.
+    pub frequency: Vec<f64>,
+    /// Gain |G(jω)|, one a frequency.
+    pub gain: Vec<f64>,
+    /// Phase of G(jω) \[rad\], one a frequency: continuous, and between −π and π at the first.
+    pub phase: Vec<f64>,
+    /// Local maxima of the gain in order, with the oscillations that make them.
+    pub peaks: Vec<GainPeak>,
+}
+
+/// A quantity and its unit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measured {
+    /// What it is.
+    pub name: &'static str,
+    /// Its SI unit; empty for a ratio, as the throttle's.
+    pub unit: &'static str,
+}
+
+/// A local maximum of the gain.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct GainPeak {
+    /// Name of the oscillation nearest in frequency.
+    pub mode: &'static str,
+    /// Its angular frequency \[rad/s\], to seven digits or so: a maximum is flat.
+    pub frequency: f64,
+    /// Gain there.
+    pub gain: f64,
+}
+
+const POINTS: usize = 400;
+
+/// The frequency response of an aircraft as it is set.
+pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
+    let mut scenario = subject.scenario()?;
+    let wanted = request.output.as_deref().map(output_named).transpose()?;
+    if let (None, Some(output)) = (&request.disturbance, wanted) {
+        scenario.plane = output.plane();
+    }
+    let with_channel: Vec<(&str, Source)> =
+        DISTURBANCES.into_iter().filter(|(_, source)| !source.shapes().is_empty()).collect();
+    let (named_plane, name) = (request.plane.as_deref(), request.disturbance.as_deref());
+    let (disturbance, _) = choose_disturbance(&mut scenario, named_plane, name, &with_channel, "input")?;
+    let plane = scenario.plane;
+    let output = match wanted {
+        Some(output) if output.plane() == plane => output,
+        Some(output) => {
+            let (key, plane) = (Quantity::of(output).key, plane_name(plane));
+            return Err(ExportError::Request(format!("{key} doesn't move in {plane} motion")));
+        }
+        None => match plane {
+            Plane::Longitudinal => Output::PitchRate,
+            Plane::Lateral => Output::Sideslip,
+        },
+    };
+    let points = request.points.unwrap_or(POINTS);
+    if !(2..=MOST_POINTS).contains(&points) {
+        return Err(ExportError::Request(format!("points: expected 2 to {MOST_POINTS}, found {points}")));
+    }
+    let analysis = scenario.analyse()?;
+    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, analysis.of(plane)) else {
+        return Err(no_motion(&scenario, &analysis));
+    };
+    let range = checked_range(request, frequency_range(&analysed.modes))?;
+
+    let forced = scenario.driven(motion);
+    let row = output.row(&motion.model, &forced);
+    let parts = STEPS_FOLLOWED.div_ceil(points - 1);
+    let followed = frequency_response(&forced, &row, 0, range, (points - 1) * parts + 1);
+    let peaks = peaks(&forced, &row, 0, &followed, &analysed.modes);
+    let mut among = followed.iter();
+    let wanted = frequency_response(&forced, &row, 0, range, points);
+    let response: Vec<&FrequencyPoint> =
+        wanted.iter().filter_map(|point| among.find(|finer| finer.frequency >= point.frequency)).collect();
+    let (name, unit) = channel_name(plane, scenario.driven_channel());
+    let input = Measured { name, unit };
+    let output =
+        Measured { name: Quantity::of(output).key, unit: Quantity::of(output).dimension.si_symbol() };
+    Ok(FrequencyReport {
+        aircraft: AircraftReport::of(&scenario.aircraft),
+        set: subject.set.iter().cloned().collect(),
+        plane: plane_name(plane),
+        disturbance,
+        gain_unit: gain_unit(output.unit, input.unit),
+        input,
+        output,
+        frequency: response.iter().map(|point| point.frequency).collect(),
+        gain: response.iter().map(|point| point.value.norm()).collect(),
+        phase: response.iter().map(|point| point.phase).collect(),
+        peaks: peaks.iter().map(GainPeak::of).collect(),
+    })
+}
+
+impl GainPeak {
+    fn of(&Peak { mode, frequency, gain }: &Peak) -> Self {
+        Self { mode: mode.text(), frequency, gain }
+    }
+}
+
+fn output_named(name: &str) -> Result<Output, ExportError> {
+    let outputs = [Plane::Longitudinal, Plane::Lateral].into_iter().flat_map(Output::of);
+    let table: Vec<(&str, Output)> = outputs.map(|&output| (Quantity::of(output).key, output)).collect();
+    named(name, &table, "output").map(|(_, output)| output)
+}
+
+/// The ends that are asked for, or else those of the modes.
+fn checked_range(request: &FrequencyRequest, own: (f64, f64)) -> Result<(f64, f64), ExportError> {
+    let (from, to) = (request.from.unwrap_or(own.0), request.to.unwrap_or(own.1));
+    let [lowest, highest] = FREQUENCIES;
+    for (end, value) in [("from", from), ("to", to)] {
+        if !(lowest..=highest).contains(&value) {
+            let problem = format!("{end}: expected {lowest} to {highest} rad/s, found {value}");
+            return Err(ExportError::Request(problem));
+        }
+    }
+    if to <= from {
+        return Err(ExportError::Request(format!("expected from below to, found {from} and {to} rad/s")));
+    }
+    Ok((from, to))
+}
+
+fn gain_unit(output: &str, input: &str) -> String {
+    if input.is_empty() { output.to_owned() } else { format!("{output} per {input}") }
+}

@@ -1,0 +1,67 @@
+//! Levels of handling qualities.
+
+use serde::Serialize;
+
+use crate::flight::handling_qualities::Verdict;
+use crate::flight::mil_f_8785c::Criterion;
+
+/// A level of handling qualities.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LevelReport {
+    /// What was judged.
+    pub criterion: &'static str,
+    /// `Level 1` to `Level 3`, or `Worse than Level 3`.
+    pub level: &'static str,
+    /// Whether a value equals a limit to three digits.
+    pub on_boundary: bool,
+    /// Paragraph of MIL-F-8785C.
+    pub paragraph: &'static str,
+    /// Its table or figure, and page.
+    pub table: &'static str,
+    /// The values judged.
+    pub values: Vec<JudgedReport>,
+    /// The verdict with the limit that governs it, in one sentence.
+    pub sentence: String,
+}
+
+/// A value that was judged.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct JudgedReport {
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// The value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+impl LevelReport {
+    /// A verdict as it is told.
+    pub fn of(verdict: &Verdict) -> Self {
+        Self {
+            criterion: match verdict.criterion {
+                Criterion::Phugoid => "Phugoid damping",
+                Criterion::ShortPeriodDamping => "Short-period damping",
+                Criterion::ShortPeriodFrequency => "Short-period frequency",
+                Criterion::DutchRoll => "Dutch roll",
+                Criterion::RollMode => "Roll mode",
+                Criterion::Spiral => "Spiral",
+                Criterion::CoupledRollSpiral => "Coupled roll–spiral",
+            },
+            level: verdict.level.text(),
+            on_boundary: verdict.on_boundary,
+            paragraph: verdict.paragraph,
+            table: verdict.table,
+            values: verdict
+                .values
+                .iter()
+                .map(|&(quantity, value)| JudgedReport {
+                    symbol: quantity.symbol(),
+                    value,
+                    unit: quantity.unit().trim_start(),
+                })
+                .collect(),
+            sentence: verdict.sentence(),
+        }
+    }
+}

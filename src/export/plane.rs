@@ -1,0 +1,166 @@
+//! What follows for one plane of motion.
+
+use nalgebra::Complex;
+use serde::Serialize;
+
+use super::approximation::ApproximationReport;
+use super::level::LevelReport;
+use super::mode::ModeReport;
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::modes::{DynamicStability, Mode};
+use crate::flight::plane::{Plane, Trim};
+use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict};
+
+/// What follows for one plane of motion.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlaneReport {
+    /// Names of the states, in the order of the rows and columns.
+    pub states: [&'static str; 4],
+    /// Names of the inputs, in the order of the columns of B.
+    pub inputs: [&'static str; 2],
+    /// State matrix, row by row.
+    pub a: [[f64; 4]; 4],
+    /// Input matrix, row by row.
+    pub b: [[f64; 2]; 4],
+    /// The steady flight.
+    pub trim: TrimReport,
+    /// All four eigenvalues as \[real part, imaginary part\], each pair with both, in the order of the modes.
+    pub eigenvalues: Vec<[f64; 2]>,
+    /// The modes, each conjugate pair once.
+    pub modes: Vec<ModeReport>,
+    /// `stable`, `neutral` or `unstable`: that of the worst mode.
+    pub dynamic_stability: &'static str,
+    /// Static stability, a verdict of its own.
+    pub static_stability: StaticReport,
+    /// Textbook approximations beside the exact modes.
+    pub approximations: Vec<ApproximationReport>,
+    /// Handling qualities after MIL-F-8785C, where the aircraft has a class.
+    pub levels: Vec<LevelReport>,
+}
+
+/// A steady flight.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TrimReport {
+    /// True airspeed V.
+    pub speed: f64,
+    /// Angle of attack of the x axis; zero in stability axes.
+    pub alpha0: f64,
+    /// Flight-path angle, climbing positive.
+    pub gamma0: f64,
+    /// Acceleration of free fall.
+    pub gravity: f64,
+}
+
+/// Static stability of a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct StaticReport {
+    /// `stable`, `neutral` or `unstable`, from the sign of det A.
+    pub verdict: &'static str,
+    /// det A.
+    pub determinant: f64,
+    /// The stiffnesses behind it.
+    #[serde(flatten)]
+    pub stiffness: StiffnessReport,
+}
+
+/// The stiffnesses of a plane, in stability axes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum StiffnessReport {
+    /// Pitch.
+    Longitudinal {
+        /// M_w, negative is restoring.
+        pitch_stiffness: f64,
+        /// By how much M_w would have to grow to come to the manoeuvre point.
+        to_manoeuvre_point: Option<f64>,
+    },
+    /// Yaw and roll.
+    Lateral {
+        /// N'v, positive is restoring.
+        weathercock_stiffness: f64,
+        /// L'v, negative is restoring.
+        dihedral_effect: f64,
+        /// L'v N'r − N'v L'r, positive is a stable spiral in level flight.
+        spiral_condition: f64,
+    },
+}
+
+/// Names of the states of a plane.
+pub const fn state_names(plane: Plane) -> [&'static str; 4] {
+    match plane {
+        Plane::Longitudinal => ["u", "w", "q", "theta"],
+        Plane::Lateral => ["v", "p", "r", "phi"],
+    }
+}
+
+/// Names of the inputs of a plane.
+pub const fn input_names(plane: Plane) -> [&'static str; 2] {
+    match plane {
+        Plane::Longitudinal => ["elevator", "throttle"],
+        Plane::Lateral => ["aileron", "rudder"],
+    }
+}
+
+impl PlaneReport {
+    /// What follows as it is told.
+    pub fn of(analysis: &PlaneAnalysis) -> Self {
+        let PlaneAnalysis { model, modes, dynamic_stability, static_stability, approximations, levels } =
+            analysis;
+        let Trim { speed, alpha0, gamma0, gravity } = model.trim;
+        let with_conjugate = |mode: &Mode| {
+            let Complex { re, im } = mode.lambda;
+            let conjugate = mode.is_oscillatory().then_some([re, -im]);
+            std::iter::once([re, im]).chain(conjugate)
+        };
+        Self {
+            states: state_names(model.plane),
+            inputs: input_names(model.plane),
+            a: std::array::from_fn(|i| std::array::from_fn(|j| model.a[(i, j)])),
+            b: std::array::from_fn(|i| std::array::from_fn(|j| model.b[(i, j)])),
+            trim: TrimReport { speed, alpha0, gamma0, gravity },
+            eigenvalues: modes.iter().flat_map(with_conjugate).collect(),
+            modes: modes.iter().map(ModeReport::of).collect(),
+            dynamic_stability: dynamic_word(*dynamic_stability),
+            static_stability: StaticReport::of(static_stability),
+            approximations: approximations.iter().map(ApproximationReport::of).collect(),
+            levels: levels.iter().map(LevelReport::of).collect(),
+        }
+    }
+}
+
+impl StaticReport {
+    fn of(stability: &PlaneStaticStability) -> Self {
+        Self {
+            verdict: static_word(stability.verdict),
+            determinant: stability.determinant,
+            stiffness: match stability.stiffness {
+                PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
+                    StiffnessReport::Longitudinal { pitch_stiffness: m_w.value, to_manoeuvre_point }
+                }
+                PlaneStiffness::Lateral { n_v, l_v, spiral } => StiffnessReport::Lateral {
+                    weathercock_stiffness: n_v.value,
+                    dihedral_effect: l_v.value,
+                    spiral_condition: spiral.value,
+                },
+            },
+        }
+    }
+}
+
+/// Dynamic stability in a word.
+pub const fn dynamic_word(stability: DynamicStability) -> &'static str {
+    match stability {
+        DynamicStability::Stable => "stable",
+        DynamicStability::Neutral => "neutral",
+        DynamicStability::Unstable => "unstable",
+    }
+}
+
+/// Static stability in a word.
+pub const fn static_word(verdict: StaticVerdict) -> &'static str {
+    match verdict {
+        StaticVerdict::Stable => "stable",
+        StaticVerdict::Neutral => "neutral",
+        StaticVerdict::Unstable => "unstable",
+    }
+}

@@ -1,0 +1,188 @@
+//! Where the panes stand: on a wide screen, a tablet, a phone, and one of them over the whole page.
+
+use egui::{
+    Button, CentralPanel, Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2,
+};
+
+use super::{Action, App, PhonePane};
+use crate::ui::derivatives::Rows;
+use crate::ui::keys::Pane;
+use crate::ui::theme::{self, Palette};
+
+/// From this width on two panes of a tablet stand beside each other.
+const BESIDE: f32 = 560.0;
+/// Between panes.
+const PANE_GAP: f32 = 10.0;
+
+impl App {
+    /// Sliders left, poles and responses in the middle, modes right or, on a tablet, below.
+    pub(super) fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
+        let palette = Palette::of(ui);
+        let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
+        Panel::left("derivatives")
+            .exact_size(if wide { 362.0 } else { 344.0 })
+            .resizable(false)
+            .frame(side)
+            .show(ui, |ui| {
+                self.derivatives_ui(ui, Rows::Dense);
+            });
+        self.ghost_memo_refresh();
+        let mut action = None;
+        if wide {
+            action = Panel::right("modes")
+                .exact_size(286.0)
+                .resizable(false)
+                .frame(side)
+                .show(ui, |ui| {
+                    let modes = |ui: &mut Ui| self.modes_ui(ui);
+                    ScrollArea::vertical().id_salt("modes").auto_shrink(false).show(ui, modes).inner
+                })
+                .inner;
+        }
+        let ground = Frame::new().fill(palette.background).inner_margin(Margin::same(10));
+        let middle = |ui: &mut Ui| {
+            if let Some(pane) = self.view.maximised {
+                let room = ui.available_rect_before_wrap();
+                self.pane_ui(ui, pane, room);
+                return None;
+            }
+            if wide {
+                let room = ui.available_rect_before_wrap();
+                let (above, response) = room.split_top_bottom_at_y(room.top() + 0.47 * room.height());
+                let (poles, aircraft) = above.split_left_right_at_fraction(0.56);
+                let gap = 0.5 * PANE_GAP;
+                self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, gap]));
+                self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, gap]));
+                self.pane_ui(ui, Pane::Response, inset(response, [0.0, 0.0, gap, 0.0]));
+                return None;
+            }
+            ScrollArea::vertical()
+                .id_salt("middle")
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    let action = self.verdicts_ui(ui);
+                    let width = ui.available_width();
+                    let beside = width >= BESIDE;
+                    if beside {
+                        let (_, above) = ui.allocate_space(Vec2::new(width, 330.0));
+                        let (poles, aircraft) = above.split_left_right_at_fraction(0.5);
+                        let gap = 0.5 * PANE_GAP;
+                        self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, 0.0]));
+                        self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, 0.0]));
+                    }
+                    let below: &[(Pane, f32)] = if beside {
+                        &[(Pane::Response, 480.0)]
+                    } else {
+                        &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
+                    };
+                    for &(pane, height) in below {
+                        let (_, room) = ui.allocate_space(Vec2::new(width, height));
+                        self.pane_ui(ui, pane, room);
+                    }
+                    let count = if beside { 2 } else { 1 };
+                    ui.columns(count, |columns| {
+                        self.cards_ui(|i| i % count, columns);
+                    });
+                    action
+                })
+                .inner
+        };
+        CentralPanel::default().frame(ground).show(ui, middle).inner.or(action)
+    }
+
+    /// The pole map stays on top; one of the other panes is below it.
+    pub(super) fn phone_ui(&mut self, ui: &mut Ui) -> Option<Action> {
+        let palette = Palette::of(ui);
+        let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
+        self.ghost_memo_refresh();
+        Panel::top("poles").exact_size(266.0).resizable(false).frame(ground).show(ui, |ui| {
+            ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
+            self.poles_ui(ui);
+        });
+        Panel::top("panes").frame(ground).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 8.0;
+                for (pane, text) in [
+                    (PhonePane::Derivatives, "Derivatives"),
+                    (PhonePane::Modes, "Modes"),
+                    (PhonePane::Response, "Response"),
+                    (PhonePane::Aircraft, "Aircraft"),
+                ] {
+                    ui.selectable_value(&mut self.view.phone_pane, pane, text);
+                }
+            });
+        });
+        let pane = |ui: &mut Ui| match self.view.phone_pane {
+            PhonePane::Derivatives => {
+                self.derivatives_ui(ui, Rows::Touch);
+                None
+            }
+            PhonePane::Modes => {
+                ScrollArea::vertical()
+                    .id_salt("modes")
+                    .auto_shrink(false)
+                    .show(ui, |ui| self.modes_ui(ui))
+                    .inner
+            }
+            PhonePane::Aircraft => {
+                self.view.flight.toolbar_ui(ui);
+                self.aircraft_ui(ui);
+                None
+            }
+            PhonePane::Response => {
+                let responses = |ui: &mut Ui| self.responses_ui(ui, Rows::Touch);
+                ScrollArea::vertical().id_salt("responses").auto_shrink(false).show(ui, responses);
+                None
+            }
+        };
+        CentralPanel::default().frame(ground).show(ui, pane).inner
+    }
+
+    /// A pane in its frame over all of `room`; its heading takes it over the whole page by double click or its button.
+    pub(super) fn pane_ui(&mut self, ui: &mut Ui, pane: Pane, room: Rect) {
+        // A place of its own: what is put into it moves nothing outside.
+        let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
+        let frame = theme::pane(Palette::of(ui));
+        let inner = room - frame.total_margin();
+        // Before what is drawn over it, so that controls on it come first. Not a stop of the Tab key: its button is.
+        let heading = Rect::from_min_size(room.min, Vec2::new(room.width(), 34.0));
+        let turned = ui.interact(heading, Id::unique(("heading", pane)), Sense::CLICK).double_clicked();
+        ui.painter().add(frame.paint(inner));
+        ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
+            ui.set_clip_rect(room.intersect(ui.clip_rect()));
+            match pane {
+                Pane::Poles => {
+                    ui.horizontal(|ui| {
+                        theme::heading(ui, RichText::new("Pole map").heading(), 2);
+                        self.pole_choices_ui(ui, Rows::Dense);
+                    });
+                    self.poles_ui(ui);
+                }
+                Pane::Aircraft => {
+                    ui.horizontal(|ui| {
+                        theme::heading(ui, RichText::new("Aircraft").heading(), 2);
+                        ui.add_space(4.0);
+                        self.view.flight.toolbar_ui(ui);
+                    });
+                    self.aircraft_ui(ui);
+                }
+                Pane::Response => self.responses_ui(ui, Rows::Dense),
+            }
+        });
+        let maximised = self.view.maximised == Some(pane);
+        let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
+        let name = format!("{} over the whole page", pane.text());
+        let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
+        let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
+        let hover =
+            if maximised { "Back to its place (Esc)".to_owned() } else { format!("{name} ({})", pane.key()) };
+        if button.on_hover_text(hover).clicked() || turned {
+            self.view.maximised = (!maximised).then_some(pane);
+        }
+    }
+}
+
+/// A rectangle smaller by so much on its left, right, top and bottom.
+fn inset(rect: Rect, [left, right, top, bottom]: [f32; 4]) -> Rect {
+    Rect::from_min_max(rect.min + Vec2::new(left, top), rect.max - Vec2::new(right, bottom))
+}

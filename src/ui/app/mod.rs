@@ -1,0 +1,333 @@
+//! The application: its state, one frame, and the few things that are not edits of a slider.
+
+mod layout;
+mod panes;
+
+use std::sync::Arc;
+
+use egui::util::undoer::Undoer;
+use egui::{Context, Frame, Margin, Panel, Ui};
+
+use crate::content::{Aircraft, ContentError, embedded_aircraft};
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::plane::Plane;
+use crate::flight::{Analysis, AnalysisError};
+use crate::scenario::link::{self, LinkView};
+use crate::scenario::{Choice, Disturbance, Page, Scenario, Source};
+use crate::ui::flight_pane::FlightPane;
+use crate::ui::keys::{self, Command, Pane};
+use crate::ui::memo::Memo;
+use crate::ui::mode_cards::Details;
+use crate::ui::poles::{Hand, PoleMap};
+use crate::ui::responses::{Responses, seen_in};
+use crate::ui::share::Share;
+use crate::ui::theme::{self, Look, Palette};
+use crate::ui::top_bar::{Bar, top_bar_ui};
+
+/// Below this width the page is a phone's.
+const PHONE: f32 = 700.0;
+/// Below this width the top bar has two rows, as on a phone.
+const CRAMPED: f32 = 860.0;
+/// Below this width the modes stand under the responses, not beside them.
+const TABLET: f32 = 1180.0;
+
+/// Something a person asked for that isn't the edit of a number. Applied last in a frame, in one place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Study another aircraft.
+    Load(Arc<Aircraft>),
+    /// Study the other plane of motion.
+    Turn(Plane),
+    /// Keep this state to compare with.
+    Pin,
+    /// Keep another aircraft as it is to compare with.
+    CompareWith(Arc<Aircraft>),
+    /// Compare no more.
+    Unpin,
+    /// Go back one step.
+    Undo,
+    /// Go forward one step.
+    Redo,
+    /// Copy the whole scene as a link.
+    CopyLink,
+}
+
+/// A pinned state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// What it is called on screen.
+    pub name: String,
+    /// The state.
+    pub scenario: Scenario,
+}
+
+/// The panes of a phone, of which one is on screen below the pole map.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum PhonePane {
+    #[default]
+    Derivatives,
+    Modes,
+    Response,
+    Aircraft,
+}
+
+/// How a person looks at the scenario: not part of what is studied.
+#[derive(Debug)]
+struct View {
+    poles: PoleMap,
+    responses: Responses,
+    flight: FlightPane,
+    /// The pane that is over the whole page.
+    maximised: Option<Pane>,
+    /// Whether the sheet of keys is open.
+    help: bool,
+    page: Page,
+    /// What the sliders are narrowed down to.
+    search: String,
+    /// Key of the slider that the help card speaks of.
+    explained: &'static str,
+    /// Key of the slider that the person is at, whose path is drawn.
+    touched: Option<&'static str>,
+    phone_pane: PhonePane,
+    details: Details,
+    /// What disturbed each plane, and for how long it was watched \[s\], before a mode was flown alone.
+    before_flight: [Option<(Choice, f64)>; 2],
+}
+
+/// The page.
+#[derive(Debug)]
+pub struct App {
+    aircraft: Vec<Arc<Aircraft>>,
+    content_errors: Vec<ContentError>,
+    scenario: Scenario,
+    ghost: Option<Ghost>,
+    memo: Memo,
+    ghost_memo: Memo,
+    history: Undoer<Scenario>,
+    share: Share,
+    view: View,
+}
+
+impl App {
+    /// The page as it opens: the first aircraft, an elevator step. Sets fonts and colours of `ctx`.
+    ///
+    /// An error is a page without a single aircraft.
+    pub fn new(ctx: &Context) -> Result<Self, ContentError> {
+        theme::install(ctx);
+        let (aircraft, mut content_errors) = embedded_aircraft();
+        let aircraft: Vec<Arc<Aircraft>> = aircraft.into_iter().map(Arc::new).collect();
+        let Some(first) = aircraft.first() else {
+            return Err(content_errors.swap_remove(0));
+        };
+        Ok(Self {
+            scenario: Scenario::new(first.clone()),
+            aircraft,
+            content_errors,
+            ghost: None,
+            memo: Memo::default(),
+            ghost_memo: Memo::default(),
+            history: Undoer::default(),
+            share: Share::default(),
+            view: View {
+                poles: PoleMap::default(),
+                responses: Responses::default(),
+                flight: FlightPane::default(),
+                maximised: None,
+                help: false,
+                page: Page::Coefficients,
+                search: String::new(),
+                explained: "cm_alpha",
+                touched: None,
+                phone_pane: PhonePane::default(),
+                details: Details::default(),
+                before_flight: [None; 2],
+            },
+        })
+    }
+
+    /// What is studied.
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// What followed from it in the last frame.
+    pub fn analysis(&self) -> Option<&Result<Analysis, AnalysisError>> {
+        self.memo.followed().map(|followed| &followed.analysis)
+    }
+
+    /// What followed for the plane on screen, where all went well.
+    pub fn plane(&self) -> Option<&PlaneAnalysis> {
+        self.memo.plane()
+    }
+
+    /// How often anything was computed.
+    pub fn computations(&self) -> u64 {
+        self.memo.computations() + self.ghost_memo.computations()
+    }
+
+    /// The whole scene as a link, without the `#`.
+    pub fn link(&self) -> String {
+        let usual = LinkView::of(&self.scenario);
+        let page = if self.view.page.is_of(&self.scenario) { self.view.page } else { usual.page };
+        let ghost = self.ghost.as_ref().map(|ghost| ghost.scenario.clone());
+        let Responses { tab, nonlinear, .. } = self.view.responses;
+        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost })
+    }
+
+    /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
+    pub fn open(&mut self, link: &str) {
+        let Some(opened) = link::read(link, &self.aircraft) else { return };
+        if self.computations() > 0 {
+            self.history.add_undo(&self.scenario);
+        }
+        self.ghost = opened.view.ghost.map(|scenario| Ghost { name: name(&scenario), scenario });
+        self.scenario = opened.scenario;
+        self.view.page = opened.view.page;
+        self.view.responses.tab = opened.view.tab;
+        self.view.responses.nonlinear = opened.view.nonlinear;
+        self.view.before_flight = [None; 2];
+        self.share.opened(opened.notices);
+    }
+
+    /// Tells the address of the page, which stands before the `#` of a copied link.
+    pub fn set_address(&mut self, address: String) {
+        self.share.address = address;
+    }
+
+    /// A sentence that a screen reader is to say, once.
+    pub fn take_unsaid(&mut self) -> Option<String> {
+        self.share.take_unsaid()
+    }
+
+    /// One frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        // First of all, so that the sliders are drawn where the drag of a pole has brought them.
+        let mut hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
+        if hand == Hand::Takes {
+            // A drag is one step, whatever was edited just before it and however long it takes.
+            self.history.add_undo(&self.scenario);
+            hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
+        }
+        let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
+        let width = ui.content_rect().width();
+        let phone = width < PHONE;
+        let palette = Palette::of(ui);
+        let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
+        action = Panel::top("top bar")
+            .frame(bar)
+            .show(ui, |ui| {
+                top_bar_ui(
+                    ui,
+                    Bar {
+                        aircraft: &self.aircraft,
+                        scenario: &self.scenario,
+                        ghost: self.ghost.as_ref(),
+                        history: (
+                            self.history.has_undo(&self.scenario),
+                            self.history.has_redo(&self.scenario),
+                        ),
+                        narrow: width < CRAMPED,
+                        roomy: width >= TABLET,
+                    },
+                )
+            })
+            .inner
+            .or(action);
+        self.share.notices_ui(ui);
+        action = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, width >= TABLET) }.or(action);
+        if self.view.help {
+            self.view.help = keys::sheet_ui(ui);
+        }
+        if let Some(action) = action {
+            self.apply(action, ui);
+            // What it changed beside the scenario, such as a pin, is drawn in the next frame, which no event may bring.
+            ui.request_repaint();
+        }
+        self.share.copied_ui(ui);
+        if !self.memo.is_of(&self.scenario, self.view.page) {
+            // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
+            ui.request_discard("the scenario changed");
+        }
+        match hand {
+            Hand::LetsGo => self.history.add_undo(&self.scenario),
+            Hand::Takes | Hand::Holds => {}
+            Hand::Away => self.history.feed_state(ui.input(|input| input.time), &self.scenario),
+        }
+    }
+
+    /// Does what a key asks for, or says what is to be done last in the frame.
+    fn obey(&mut self, ui: &Ui, command: Command) -> Option<Action> {
+        match command {
+            Command::Undo => return Some(Action::Undo),
+            Command::Redo => return Some(Action::Redo),
+            Command::Pin => return Some(if self.ghost.is_some() { Action::Unpin } else { Action::Pin }),
+            Command::CopyLink => return Some(Action::CopyLink),
+            Command::Play => self.view.flight.toggle(),
+            Command::Maximise(pane) => {
+                self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
+            }
+            Command::Restore => {
+                self.view.maximised = None;
+                self.view.help = false;
+            }
+            Command::Look => Look::of(ui.ctx()).next().set(ui.ctx()),
+            Command::Help => self.view.help = !self.view.help,
+        }
+        None
+    }
+
+    /// Flies a mode alone, long enough to see what becomes of it, or goes back to what was before.
+    fn fly(&mut self, index: usize, flown: bool) {
+        let plane = self.scenario.plane;
+        let length = self.memo.plane().and_then(|plane| Some(seen_in(plane.modes.get(index)?)));
+        let disturbance = &mut self.scenario.disturbance;
+        let before = &mut self.view.before_flight[plane as usize];
+        if flown {
+            let standard = Disturbance::default();
+            let (choice, time) = before.take().unwrap_or((*standard.choice(plane), standard.sizes.time));
+            *disturbance.choice_mut(plane) = choice;
+            disturbance.sizes.time = time;
+            return;
+        }
+        let choice = *disturbance.choice(plane);
+        if choice.source != Source::OneMode {
+            *before = Some((choice, disturbance.sizes.time));
+        }
+        *disturbance.choice_mut(plane) = Choice { source: Source::OneMode, mode: index, ..choice };
+        disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
+    }
+
+    fn apply(&mut self, action: Action, ui: &Ui) {
+        match action {
+            Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
+            Action::Turn(plane) => self.scenario.plane = plane,
+            Action::Pin => {
+                self.ghost = Some(Ghost { name: name(&self.scenario), scenario: self.scenario.clone() })
+            }
+            Action::CompareWith(aircraft) => {
+                self.ghost = Some(Ghost {
+                    name: aircraft.name.clone(),
+                    scenario: self.scenario.with_aircraft(aircraft),
+                });
+            }
+            Action::Unpin => self.ghost = None,
+            Action::Undo => {
+                if let Some(before) = self.history.undo(&self.scenario) {
+                    self.scenario = before.clone();
+                }
+            }
+            Action::Redo => {
+                if let Some(after) = self.history.redo(&self.scenario) {
+                    self.scenario = after.clone();
+                }
+            }
+            Action::CopyLink => self.share.copy(ui, &self.link()),
+        }
+    }
+}
+
+/// What a pinned state is called.
+fn name(scenario: &Scenario) -> String {
+    let edited = if scenario.is_edited() { ", edited" } else { "" };
+    format!("{}{edited}", scenario.aircraft.name)
+}

@@ -1,0 +1,187 @@
+//! What is in the panes: each is given what follows from the scenario, and edits it in place.
+
+use egui::Ui;
+
+use super::{Action, App, Ghost, View};
+use crate::flight::modes::Mode;
+use crate::flight::plane::Plane;
+use crate::scenario::{Flown, Page, Parameter, Scenario, Source, parameters};
+use crate::ui::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
+use crate::ui::memo::{Followed, Memo};
+use crate::ui::mode_cards::{Card, banner_ui, card_ui, units_warning, verdicts_ui};
+use crate::ui::poles::Seen;
+use crate::ui::responses::Studied;
+use crate::ui::theme::Palette;
+
+impl App {
+    pub(super) fn derivatives_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        if !self.view.page.is_of(&self.scenario) {
+            self.view.page = Page::of(&self.scenario);
+        }
+        self.memo.refresh(&self.scenario, self.view.page);
+        let followed = self.memo.followed();
+        let outlook = Outlook {
+            sensitivities: followed.map_or(&[], |followed| &followed.sensitivities),
+            modes: self.memo.plane().map_or(&[], |plane| &plane.modes),
+            coefficients: followed.and_then(|followed| followed.coefficients.as_ref()),
+        };
+        self.view.touched = {
+            let View { page, search, .. } = &mut self.view;
+            derivatives_ui(ui, &mut self.scenario, Chosen { page, search }, rows, outlook)
+        };
+        self.view.explained = self.view.touched.unwrap_or(self.view.explained);
+        let (page, scenario) = (self.view.page, &self.scenario);
+        if !Parameter::find(self.view.explained).is_some_and(|p| p.is_shown(scenario, page)) {
+            let first = parameters().find(|p| p.is_shown(scenario, page));
+            self.view.explained = first.map_or("", |p| p.key);
+        }
+        if rows == Rows::Dense {
+            crate::ui::derivatives::help_ui(ui, self.view.explained);
+        }
+    }
+
+    pub(super) fn ghost_memo_refresh(&mut self) {
+        if let Some(ghost) = &mut self.ghost {
+            // Compared is what the same disturbance does to both.
+            ghost.scenario.disturbance = self.scenario.disturbance;
+            ghost.scenario.plane = self.scenario.plane;
+            self.ghost_memo.refresh(&ghost.scenario, Page::Disturbance);
+        }
+    }
+
+    pub(super) fn aircraft_ui(&mut self, ui: &mut Ui) {
+        let Self { memo, scenario, view, .. } = self;
+        memo.refresh(scenario, view.page);
+        if view.responses.shows_flight() {
+            memo.refresh_flight();
+        }
+        match memo.motion() {
+            Some(motion) => {
+                let flight = memo.flight().filter(|_| view.responses.shows_flight());
+                let flight = flight
+                    .and_then(|flight| flight.as_ref().ok())
+                    .filter(|flight| !flight.samples.is_empty());
+                let flown = Flown { scenario, motion, flight };
+                view.flight.advance(ui, flown.end());
+                if let Some(time) = view.responses.hovered() {
+                    view.flight.seek(time);
+                }
+                view.flight.show(ui, flown);
+                view.responses.set_time(view.flight.time());
+            }
+            None => problem_ui(ui, memo.followed(), scenario.plane),
+        }
+    }
+
+    pub(super) fn poles_ui(&mut self, ui: &mut Ui) {
+        self.memo.refresh(&self.scenario, self.view.page);
+        let touched = self.view.touched.and_then(Parameter::find);
+        self.memo.refresh_locus(&self.scenario, touched);
+        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        match self.memo.plane() {
+            Some(plane) => {
+                let locus = touched.zip(self.memo.locus());
+                self.view.poles.show(ui, Seen { scenario: &self.scenario, plane, ghost, locus });
+            }
+            None => problem_ui(ui, self.memo.followed(), self.scenario.plane),
+        }
+    }
+
+    /// What else the pole map shows, and what the drag of a pole moves.
+    pub(super) fn pole_choices_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        self.memo.refresh(&self.scenario, self.view.page);
+        if let (Some(plane), Some(followed)) = (self.memo.plane(), self.memo.followed()) {
+            let choices = &mut self.view.poles.choices;
+            choices.show(ui, &self.scenario, plane, &followed.sensitivities, self.view.page, rows);
+        }
+    }
+
+    pub(super) fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
+        let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
+        memo.refresh(scenario, view.page);
+        view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
+        memo.refresh(scenario, view.page);
+        if view.responses.shows_flight() {
+            memo.refresh_flight();
+        }
+        match studied(scenario, memo) {
+            Some(now) => {
+                let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
+                view.responses.show(ui, now, ghost, rows);
+            }
+            None => problem_ui(ui, memo.followed(), scenario.plane),
+        }
+    }
+
+    /// Verdicts, and a card for each mode.
+    pub(super) fn modes_ui(&mut self, ui: &mut Ui) -> Option<Action> {
+        let action = self.verdicts_ui(ui);
+        self.cards_ui(|_| 0, std::slice::from_mut(ui));
+        action
+    }
+
+    /// The verdicts, and what stands in their way: the warning about units, a file that could not be read.
+    pub(super) fn verdicts_ui(&mut self, ui: &mut Ui) -> Option<Action> {
+        let palette = Palette::of(ui);
+        for error in &self.content_errors {
+            let text = format!("An aircraft could not be read: {error}");
+            banner_ui(ui, &text, palette.warning, palette.warning_ground);
+        }
+        self.memo.refresh(&self.scenario, self.view.page);
+        let (Some(plane), Some(Ok(analysis))) = (self.memo.plane(), self.analysis()) else {
+            problem_ui(ui, self.memo.followed(), self.scenario.plane);
+            return None;
+        };
+        verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
+        let warning = units_warning(analysis)?;
+        banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
+        let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;
+        let offered = self.ghost.is_none() && ui.button("Compare with gravity in the same unit").clicked();
+        offered.then(|| Action::CompareWith(same_unit.clone()))
+    }
+
+    /// A card for each mode, in the columns that `column` tells.
+    pub(super) fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
+        self.memo.refresh(&self.scenario, self.view.page);
+        let Some(analysed) = self.memo.plane() else { return };
+        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        let choice = *self.scenario.disturbance.choice(self.scenario.plane);
+        let last = analysed.modes.len().saturating_sub(1);
+        let mut asked = None;
+        for (i, mode) in analysed.modes.iter().enumerate() {
+            let before =
+                ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
+            let flown = choice.source == Source::OneMode && choice.mode.min(last) == i;
+            let card = Card { plane: analysed, mode, before, flown };
+            if card_ui(&mut columns[column(i)], card, &mut self.view.details) {
+                asked = Some((i, flown));
+            }
+        }
+        if let Some((index, flown)) = asked {
+            self.fly(index, flown);
+        }
+    }
+}
+
+fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> {
+    ghost?;
+    memo.plane().map(|plane| plane.modes.as_slice())
+}
+
+fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
+    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes, flight: memo.flight() })
+}
+
+/// Why there is nothing to draw.
+fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
+    let problem = match followed.map(|followed| &followed.analysis) {
+        Some(Ok(analysis)) => match analysis.of(plane) {
+            Some(Err(error)) => error.to_string(),
+            Some(Ok(_)) | None => "the source has no data for this plane of motion".to_owned(),
+        },
+        Some(Err(error)) => error.to_string(),
+        None => return,
+    };
+    let palette = Palette::of(ui);
+    banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
+}
