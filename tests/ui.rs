@@ -384,6 +384,26 @@ fn every_control_is_on_the_screen_at_a_zoom_of_150_and_200_per_cent_too() {
     }
 }
 
+#[test]
+fn arrow_keys_scrub_the_playback_both_ways_from_a_round_number_too() {
+    let mut harness = page(WIDE);
+    let time = |harness: &Harness<'_, Option<App>>| {
+        let slider = harness.get_by_role_and_label(Role::Slider, "Time of the playback in s");
+        slider.accesskit_node().numeric_value().expect("a time")
+    };
+    let slider = harness.get_by_role_and_label(Role::Slider, "Time of the playback in s");
+    slider.set_value_accesskit(5.0);
+    slider.focus();
+    harness.run();
+    assert_eq!(time(&harness), 5.0);
+    for (key, sign) in [(Key::ArrowRight, 1.0), (Key::ArrowLeft, -1.0), (Key::ArrowLeft, -1.0)] {
+        let before = time(&harness);
+        harness.key_press(key);
+        harness.run();
+        assert!(sign * (time(&harness) - before) > 0.01, "{key:?}: from {before} to {}", time(&harness));
+    }
+}
+
 /// A quick key is down and up within one frame, and nothing else may come for long.
 #[test]
 fn a_pin_is_on_screen_without_another_event() {

@@ -52,8 +52,9 @@ pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
         let after = width + 56.0 + 36.0 + 4.0 * ui.spacing().item_spacing.x;
         ui.spacing_mut().slider_width = (ui.available_width() - after).max(NARROWEST);
         let mut time = playback.time;
-        let slider =
-            Slider::new(&mut time, 0.0..=playback.end.max(1e-3)).show_value(false).trailing_fill(true);
+        // Aimed at round numbers, a step of an arrow key would come back to the one that it starts from.
+        let slider = Slider::new(&mut time, 0.0..=playback.end.max(1e-3)).smart_aim(false);
+        let slider = slider.show_value(false).trailing_fill(true);
         let rail = |ui: &mut Ui| {
             // Its rail has the ground of a button, which is that of the pane.
             ui.visuals_mut().widgets.inactive.bg_fill = palette.hairline;
