@@ -49,8 +49,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
   const { page, ready, state, slider, seen, rest, drawCallsIn } = await open(t);
   const { button, heading, counts, playback } = hands(page);
   await ready();
-  // A person’s key is down for more than a frame.
-  const press = (keys) => page.keyboard.press(keys, { delay: 100 });
+  const press = (keys) => page.keyboard.press(keys);
 
   await t.test("Space plays and pauses, and a paused page draws nothing", async () => {
     assert.equal(await playback(), 0);
@@ -115,7 +114,8 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     const sliders = page.getByRole("slider");
     const all = await sliders.count();
     await press("/");
-    await sleep(200);
+    const told = () => page.locator("#announcements").textContent();
+    await until(told, (now) => now.startsWith("Find a derivative"), "the field has the focus");
     await page.keyboard.type("C_mq");
     // It, and the time of the playback.
     await counts(sliders, 2, "one derivative");
