@@ -404,6 +404,29 @@ fn arrow_keys_scrub_the_playback_both_ways_from_a_round_number_too() {
     }
 }
 
+/// A quick Tab is down and up within one frame; a widget keeps the arrow keys to itself from its second frame on.
+#[test]
+fn arrow_keys_stay_with_a_slider_that_a_quick_tab_has_reached() {
+    let mut harness = page(WIDE);
+    harness.get_by_role_and_label(Role::TextInput, "pitch stiffness C_mα, typed").focus();
+    harness.run();
+    let key = |pressed| egui::Event::Key {
+        key: Key::Tab,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::SHIFT,
+    };
+    harness.input_mut().events.extend([true, false].map(key));
+    harness.run();
+    for _ in 0..3 {
+        let before = value(&harness, "cm_alpha");
+        harness.key_press(Key::ArrowLeft);
+        harness.run();
+        assert!(value(&harness, "cm_alpha") < before);
+    }
+}
+
 /// A quick key is down and up within one frame, and nothing else may come for long.
 #[test]
 fn a_pin_is_on_screen_without_another_event() {

@@ -1,10 +1,13 @@
 //! The aircraft itself: its faces back to front, lit.
 
+use std::sync::Arc;
+
 use egui::epaint::Vertex;
-use egui::{Color32, Mesh};
+use egui::{Color32, Id, Mesh, Ui};
 use nalgebra::Rotation3;
 
 use super::camera::Lens;
+use super::picture::Picture;
 use crate::shape::{Deflections, Face, Finish, Material, Model, Point};
 use crate::ui::theme::Palette;
 
@@ -17,8 +20,50 @@ const REFLECTION: f32 = 0.32;
 /// The sun stands so far to the right of the eye \[rad\], and so high over the level.
 const SUN: (f32, f32) = (0.3, 1.0);
 
-/// The aircraft as triangles, to be drawn as they come.
-pub(super) fn mesh(
+/// What the triangles follow from: while none of it changes, as in most frames in which nothing is played, they are kept.
+#[derive(Clone, PartialEq)]
+struct Key {
+    name: String,
+    triangles: usize,
+    finish: Finish,
+    deflections: Deflections,
+    propeller_angle: f32,
+    rotation: Rotation3<f32>,
+    lens: Lens,
+    skin: Color32,
+}
+
+/// The aircraft as triangles, to be drawn as they come; those of the frame before where the picture is the same.
+pub(super) fn kept_mesh(
+    ui: &Ui,
+    picture: &Picture<'_>,
+    rotation: &Rotation3<f32>,
+    lens: &Lens,
+    palette: &Palette,
+) -> Arc<Mesh> {
+    let key = Key {
+        name: picture.name.to_owned(),
+        triangles: picture.model.triangles(),
+        finish: picture.finish,
+        deflections: picture.deflections,
+        propeller_angle: picture.propeller_angle,
+        rotation: *rotation,
+        lens: *lens,
+        skin: palette.airframe(picture.finish, Material::Skin),
+    };
+    let id = Id::unique("airframe");
+    if let Some((of, mesh)) = ui.data(|data| data.get_temp::<(Key, Arc<Mesh>)>(id))
+        && of == key
+    {
+        return mesh;
+    }
+    let pose = (picture.deflections, picture.propeller_angle);
+    let mesh = Arc::new(mesh(picture.model, picture.finish, pose, rotation, lens, palette));
+    ui.data_mut(|data| data.insert_temp(id, (key, mesh.clone())));
+    mesh
+}
+
+fn mesh(
     model: &Model,
     finish: Finish,
     (deflections, propeller_angle): (Deflections, f32),

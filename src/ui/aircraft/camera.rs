@@ -113,7 +113,7 @@ impl Camera {
 }
 
 /// A camera in its place: Earth axes from the aircraft to points of the screen.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lens {
     pub eye: Point,
     pub forward: Point,

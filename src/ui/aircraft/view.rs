@@ -126,15 +126,7 @@ impl AircraftView {
             Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
         let (beyond, before) = if self.overlays.path { easel.path() } else { Default::default() };
         painter.add(Shape::mesh(beyond));
-        let pose = (picture.deflections, picture.propeller_angle);
-        painter.add(Shape::mesh(airframe::mesh(
-            picture.model,
-            picture.finish,
-            pose,
-            &rotation,
-            &lens,
-            palette,
-        )));
+        painter.add(Shape::mesh(airframe::kept_mesh(ui, picture, &rotation, &lens, palette)));
         painter.add(Shape::mesh(before));
         easel.draw(&self.overlays);
 

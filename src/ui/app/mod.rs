@@ -248,6 +248,10 @@ impl App {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
         }
+        // A widget keeps the arrow keys to itself from its second frame with the focus on, which no event may bring.
+        if ui.memory(|memory| memory.focused().is_some_and(|id| !memory.had_focus_last_frame(id))) {
+            ui.request_repaint();
+        }
         match hand {
             Hand::LetsGo => self.history.add_undo(&self.scenario),
             Hand::Takes | Hand::Holds => {}

@@ -105,6 +105,7 @@ impl TimePlots {
             }
             pictures.push(Picture::of_time(quantity.symbol, symbol, curves));
         }
+        let of_motion = pictures.len();
         if let Some((symbol, dimension, curves)) = studied.inputs(palette) {
             pictures.push(Picture::of_time(symbol, dimension.symbol(LengthUnit::Metre), curves));
         }
@@ -113,10 +114,9 @@ impl TimePlots {
         }
         let duration = studied.duration().max(1e-3);
         let beyond = studied.motion.small_until.map(|time| time..=duration);
-        let last = pictures.len();
         for (i, picture) in pictures.iter_mut().enumerate() {
             picture.x_range = Some(0.0..=duration);
-            if i + 1 < last || studied.inputs(palette).is_none() {
+            if i < of_motion {
                 picture.beyond = beyond.clone();
             }
         }
