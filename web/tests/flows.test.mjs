@@ -65,7 +65,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     assert.equal(await playback(), time);
   });
 
-  await t.test("Tab finds the playback, and arrow keys scrub it", async () => {
+  await t.test("Tab finds the playback, and an arrow key scrubs it", async () => {
     const told = () => page.locator("#announcements").textContent();
     for (let i = 0; i < 60 && !(await told()).startsWith(PLAYBACK); i += 1) {
       // What is announced comes a little after what is reached.
@@ -75,12 +75,8 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     }
     assert.match(await told(), new RegExp(`^${PLAYBACK}`));
     const before = await playback();
-    for (let i = 0; i < 5; i += 1) await press("ArrowRight");
+    await press("ArrowRight");
     await until(playback, (time) => time > before, "forward");
-    await rest();
-    const after = await playback();
-    await press("ArrowLeft");
-    await until(playback, (time) => time < after, "back");
     await rest();
     await press("Escape");
   });
