@@ -1,7 +1,7 @@
 //! The packages from npm: of the browser tests, and Binaryen, which makes the release page smaller.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use anyhow::Result;
 
@@ -49,15 +49,11 @@ pub fn optimise(wasm_opt: &Path, program: &Path) -> Result<()> {
     )
 }
 
-/// npm keeps a copy of the lockfile that it installed from.
+/// Whether every package is there in the version that `web/package.json` pins.
 fn are_current(project: &Project) -> bool {
-    let modified = |file: &str| {
-        std::fs::metadata(project.root.join("web").join(file)).and_then(|file| file.modified()).ok()
-    };
-    match (modified("node_modules/.package-lock.json"), modified("package-lock.json")) {
-        (Some(installed), Some(wanted)) => installed >= wanted,
-        _ => false,
-    }
+    let mut list = npm();
+    list.current_dir(project.root.join("web")).args(["ls", "--silent"]);
+    list.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 
 const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
