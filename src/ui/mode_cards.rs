@@ -129,13 +129,9 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.spacing_mut().interact_size.y = 19.0;
-            ui.horizontal(|ui| {
-                let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
-                theme::heading(ui, name.color(color), 3);
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode, details));
-            });
+            title_ui(ui, plane, mode, details);
             numbers_ui(ui, mode);
-            participation_ui(ui, plane.model.plane, mode, color);
+            participation_ui(ui, plane.model.plane, mode);
             ui.label(RichText::new(&mode.naming.reason).font(theme::small()).color(palette.weak));
             if let Some(before) = before {
                 ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
@@ -155,6 +151,31 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     let bar = Rect::from_min_size(rect.min, Vec2::new(4.0, rect.height()));
     ui.painter().rect_filled(bar, egui::CornerRadius { nw: 8, sw: 8, ne: 0, se: 0 }, color);
     fly
+}
+
+/// The name with its chips at the right, or below it where they would lie on it.
+fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
+    let color = Palette::of(ui).mode_text(mode.naming.name);
+    let (name, font) = (mode.naming.name.text(), theme::semibold(14.0));
+    let chip = |text: String| {
+        let font = theme::semibold(CHIP);
+        ui.painter().layout_no_wrap(text, font, color).size().x
+            + 2.0 * CHIP_MARGIN
+            + ui.spacing().item_spacing.x
+    };
+    let chips: f32 = chip_texts(plane, mode, *details).into_iter().flatten().map(chip).sum();
+    let room = ui.available_width() - chips;
+    let name_width = ui.painter().layout_no_wrap(name.to_owned(), font.clone(), color).size().x;
+    let name = RichText::new(name).font(font).color(color);
+    if name_width <= room {
+        ui.horizontal(|ui| {
+            theme::heading(ui, name, 3);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode, details));
+        });
+    } else {
+        theme::heading(ui, name, 3);
+        ui.horizontal(|ui| chips_ui(ui, plane, mode, details));
+    }
 }
 
 /// What can be done with a mode and seen of it. Says whether it is to be flown alone, or no longer.
@@ -210,24 +231,37 @@ fn signed_percent(error: f64) -> String {
     format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2))
 }
 
+/// Size of the text on a chip, and the room left and right of it.
+const CHIP: f32 = 11.0;
+const CHIP_MARGIN: f32 = 7.0;
+
 /// Whether it dies away, and the level of handling qualities where there is one.
-fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
-    let text = match mode.stability {
+fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<String>; 2] {
+    let stability = match mode.stability {
         DynamicStability::Stable => "stable",
         DynamicStability::Neutral => "neutral",
         DynamicStability::Unstable => "unstable",
     };
-    chip_ui(ui, text, Palette::of(ui).verdict(mode.stability));
-    let worst = judged(plane, mode).map(|verdict| verdict.level).max();
-    if let Some(level) = worst {
+    let mark = if details.levels { "▾" } else { "▸" };
+    [Some(stability.to_owned()), worst(plane, mode).map(|level| format!("{} {mark}", level.text()))]
+}
+
+/// The worst level that a mode has.
+fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<Level> {
+    judged(plane, mode).map(|verdict| verdict.level).max()
+}
+
+fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
+    let [stability, judgement] = chip_texts(plane, mode, *details);
+    chip_ui(ui, stability.unwrap_or_default(), Palette::of(ui).verdict(mode.stability));
+    if let Some((level, text)) = worst(plane, mode).zip(judgement) {
         let (color, ground) = Palette::of(ui).verdict(match level {
             Level::One => DynamicStability::Stable,
             Level::Two => DynamicStability::Neutral,
             Level::Three | Level::Beyond => DynamicStability::Unstable,
         });
-        let mark = if details.levels { "▾" } else { "▸" };
-        let text = RichText::new(format!("{} {mark}", level.text())).font(theme::semibold(11.0)).color(color);
-        ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
+        let text = RichText::new(text).font(theme::semibold(CHIP)).color(color);
+        ui.spacing_mut().button_padding = Vec2::new(CHIP_MARGIN, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
         if chip.on_hover_text("Which paragraphs of MIL-F-8785C set the level").clicked() {
@@ -236,10 +270,13 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
     }
 }
 
-fn chip_ui(ui: &mut Ui, text: &str, (color, ground): (Color32, Color32)) {
-    Frame::new().fill(ground).corner_radius(7).inner_margin(Margin::symmetric(7, 2)).show(ui, |ui| {
-        ui.label(RichText::new(text).font(theme::semibold(11.0)).color(color));
-    });
+fn chip_ui(ui: &mut Ui, text: String, (color, ground): (Color32, Color32)) {
+    Frame::new().fill(ground).corner_radius(7).inner_margin(Margin::symmetric(CHIP_MARGIN as i8, 2)).show(
+        ui,
+        |ui| {
+            ui.label(RichText::new(text).font(theme::semibold(CHIP)).color(color));
+        },
+    );
 }
 
 /// The verdicts on handling qualities that concern a mode.
@@ -337,8 +374,8 @@ fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
 }
 
 /// Four segments as wide as the participation of each state.
-fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode, color: Color32) {
-    let palette = Palette::of(ui);
+fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
+    let bars = Palette::of(ui).bars(mode.naming.name);
     let (rect, response) =
         ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
     let mut x = rect.left();
@@ -348,11 +385,11 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode, color: Color32) {
         Plane::Lateral => ["β", "p", "r", "φ"],
     };
     for (i, (symbol, share)) in symbols.into_iter().zip(mode.participation).enumerate() {
-        let strength = if i % 2 == 0 { 0.9 } else { 0.75 };
+        let (bar, ink) = bars[i % 2];
         let width = rect.width() * share as f32;
         let segment =
             Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));
-        ui.painter().rect_filled(segment, 3.0, color.gamma_multiply(strength));
+        ui.painter().rect_filled(segment, 3.0, bar);
         if width > 26.0 {
             let text = format!("{symbol} {:.0}", 100.0 * share);
             ui.painter().text(
@@ -360,7 +397,7 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode, color: Color32) {
                 egui::Align2::CENTER_CENTER,
                 text,
                 theme::semibold(10.0),
-                palette.pane,
+                ink,
             );
         }
         words.push(format!("{symbol} {:.1} %", 100.0 * share));

@@ -1,7 +1,8 @@
 //! Colours by meaning, for three looks of the page.
 //!
 //! The colours of the modes are those of Okabe & Ito (2008), told apart with any colour vision; in the dark
-//! palette they are lightened. Colour never stands alone: a mode also has its name.
+//! palette they are lightened. Text in the colour of a mode has a darker tone of the same hue, since thin strokes need more
+//! contrast than marks. Colour never stands alone: a mode also has its name.
 
 use egui::{Color32, Context, Theme, Ui};
 
@@ -81,17 +82,38 @@ pub struct Palette {
     engine: Color32,
     tyre: Color32,
     propeller_disc: Color32,
-    pub(super) short_period: Color32,
-    short_period_slow: Color32,
-    phugoid: Color32,
-    phugoid_slow: Color32,
-    third_mode: Color32,
-    divergence: Color32,
-    dutch_roll: Color32,
-    dutch_roll_slow: Color32,
-    roll: Color32,
-    spiral: Color32,
+    short_period: Tone,
+    short_period_slow: Tone,
+    phugoid: Tone,
+    phugoid_slow: Tone,
+    third_mode: Tone,
+    divergence: Tone,
+    dutch_roll: Tone,
+    dutch_roll_slow: Tone,
+    roll: Tone,
+    spiral: Tone,
 }
+
+/// The colour of a mode in its two tones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tone {
+    /// Of crosses, curves and bars: 3:1 on every ground.
+    mark: Color32,
+    /// Of words and numbers: 4.5:1 on every ground.
+    text: Color32,
+}
+
+impl Tone {
+    /// One tone for both: light colours on dark grounds.
+    const fn light(color: Color32) -> Self {
+        Self { mark: color, text: color }
+    }
+}
+
+/// How much of what is behind a word on the picture of the aircraft its ground hides.
+const HIDES: f32 = 0.9;
+/// Strength of the paler of two neighbouring bars.
+const PALE: f32 = 0.4;
 
 const LIGHT: Palette = Palette {
     background: Color32::from_rgb(0xf3, 0xf5, 0xf8),
@@ -104,7 +126,7 @@ const LIGHT: Palette = Palette {
     strong: Color32::from_rgb(0x22, 0x30, 0x3c),
     on_strong: Color32::WHITE,
     accent: Color32::from_rgb(0x7a, 0x9b, 0xb8),
-    ghost: Color32::from_rgb(0x8a, 0x97, 0xa5),
+    ghost: Color32::from_rgb(0x78, 0x86, 0x94),
     nonlinear: Color32::from_rgb(0xa3, 0x2a, 0x12),
     stable_half: Color32::from_rgb(0xed, 0xf7, 0xf3),
     unstable_half: Color32::from_rgb(0xfd, 0xf1, 0xec),
@@ -119,10 +141,10 @@ const LIGHT: Palette = Palette {
     field_on_ground: Color32::from_rgb(0x9f, 0xb6, 0x88),
     line_on_ground: Color32::from_rgb(0x8b, 0xa0, 0x7c),
     forces: [
-        Color32::from_rgb(0x00, 0x72, 0xb2),
+        Color32::from_rgb(0x00, 0x6b, 0xa8),
         Color32::from_rgb(0x22, 0x30, 0x3c),
-        Color32::from_rgb(0x00, 0x8a, 0x65),
-        Color32::from_rgb(0xd5, 0x5e, 0x00),
+        Color32::from_rgb(0x00, 0x77, 0x57),
+        Color32::from_rgb(0xae, 0x4c, 0x00),
     ],
     axes: [
         Color32::from_rgb(0xb8, 0x32, 0x2a),
@@ -144,16 +166,28 @@ const LIGHT: Palette = Palette {
     engine: Color32::from_rgb(0x9a, 0xa3, 0xac),
     tyre: Color32::from_rgb(0x3a, 0x40, 0x48),
     propeller_disc: Color32::from_rgba_premultiplied(0x18, 0x1c, 0x20, 0x30),
-    short_period: Color32::from_rgb(0x00, 0x72, 0xb2),
-    short_period_slow: Color32::from_rgb(0x2f, 0x8f, 0xcb),
-    phugoid: Color32::from_rgb(0xd5, 0x5e, 0x00),
-    phugoid_slow: Color32::from_rgb(0xb8, 0x7a, 0x00),
-    third_mode: Color32::from_rgb(0x00, 0x8a, 0x65),
-    divergence: Color32::from_rgb(0xb0, 0x4a, 0x84),
-    dutch_roll: Color32::from_rgb(0xb0, 0x4a, 0x84),
-    dutch_roll_slow: Color32::from_rgb(0xcc, 0x79, 0xa7),
-    roll: Color32::from_rgb(0x00, 0x8a, 0x65),
-    spiral: Color32::from_rgb(0xb8, 0x7a, 0x00),
+    short_period: Tone {
+        mark: Color32::from_rgb(0x00, 0x72, 0xb2),
+        text: Color32::from_rgb(0x00, 0x6b, 0xa8),
+    },
+    short_period_slow: Tone {
+        mark: Color32::from_rgb(0x2f, 0x8f, 0xcb),
+        text: Color32::from_rgb(0x25, 0x6e, 0x9d),
+    },
+    phugoid: Tone { mark: Color32::from_rgb(0xd5, 0x5e, 0x00), text: Color32::from_rgb(0xae, 0x4c, 0x00) },
+    phugoid_slow: Tone {
+        mark: Color32::from_rgb(0xb8, 0x7a, 0x00),
+        text: Color32::from_rgb(0x8c, 0x5e, 0x00),
+    },
+    third_mode: Tone { mark: Color32::from_rgb(0x00, 0x8a, 0x65), text: Color32::from_rgb(0x00, 0x77, 0x57) },
+    divergence: Tone { mark: Color32::from_rgb(0xb0, 0x4a, 0x84), text: Color32::from_rgb(0xa6, 0x45, 0x7c) },
+    dutch_roll: Tone { mark: Color32::from_rgb(0xb0, 0x4a, 0x84), text: Color32::from_rgb(0xa6, 0x45, 0x7c) },
+    dutch_roll_slow: Tone {
+        mark: Color32::from_rgb(0xbf, 0x6c, 0x9a),
+        text: Color32::from_rgb(0x8f, 0x54, 0x74),
+    },
+    roll: Tone { mark: Color32::from_rgb(0x00, 0x8a, 0x65), text: Color32::from_rgb(0x00, 0x77, 0x57) },
+    spiral: Tone { mark: Color32::from_rgb(0xb8, 0x7a, 0x00), text: Color32::from_rgb(0x8c, 0x5e, 0x00) },
 };
 
 const DARK: Palette = Palette {
@@ -207,16 +241,16 @@ const DARK: Palette = Palette {
     engine: Color32::from_rgb(0x80, 0x8a, 0x94),
     tyre: Color32::from_rgb(0x43, 0x4b, 0x54),
     propeller_disc: Color32::from_rgba_premultiplied(0x28, 0x2c, 0x30, 0x30),
-    short_period: Color32::from_rgb(0x56, 0xb4, 0xe9),
-    short_period_slow: Color32::from_rgb(0x8c, 0xcd, 0xf2),
-    phugoid: Color32::from_rgb(0xff, 0x8b, 0x3d),
-    phugoid_slow: Color32::from_rgb(0xe6, 0xb0, 0x2e),
-    third_mode: Color32::from_rgb(0x2f, 0xc9, 0x9a),
-    divergence: Color32::from_rgb(0xe3, 0x8f, 0xbe),
-    dutch_roll: Color32::from_rgb(0xe3, 0x8f, 0xbe),
-    dutch_roll_slow: Color32::from_rgb(0xf0, 0xb8, 0xd6),
-    roll: Color32::from_rgb(0x2f, 0xc9, 0x9a),
-    spiral: Color32::from_rgb(0xe6, 0xb0, 0x2e),
+    short_period: Tone::light(Color32::from_rgb(0x56, 0xb4, 0xe9)),
+    short_period_slow: Tone::light(Color32::from_rgb(0x8c, 0xcd, 0xf2)),
+    phugoid: Tone::light(Color32::from_rgb(0xff, 0x8b, 0x3d)),
+    phugoid_slow: Tone::light(Color32::from_rgb(0xe6, 0xb0, 0x2e)),
+    third_mode: Tone::light(Color32::from_rgb(0x2f, 0xc9, 0x9a)),
+    divergence: Tone::light(Color32::from_rgb(0xe3, 0x8f, 0xbe)),
+    dutch_roll: Tone::light(Color32::from_rgb(0xe3, 0x8f, 0xbe)),
+    dutch_roll_slow: Tone::light(Color32::from_rgb(0xf0, 0xb8, 0xd6)),
+    roll: Tone::light(Color32::from_rgb(0x2f, 0xc9, 0x9a)),
+    spiral: Tone::light(Color32::from_rgb(0xe6, 0xb0, 0x2e)),
 };
 
 /// For a beamer that washes out all that is pale: black on white, every line and ground a step stronger.
@@ -241,16 +275,28 @@ const PROJECTOR: Palette = Palette {
     bad_ground: Color32::from_rgb(0xfb, 0xd5, 0xc8),
     warning: Color32::from_rgb(0x5c, 0x38, 0x00),
     warning_ground: Color32::from_rgb(0xff, 0xe6, 0xb0),
-    short_period: Color32::from_rgb(0x00, 0x5a, 0x92),
-    short_period_slow: Color32::from_rgb(0x00, 0x72, 0xb2),
-    phugoid: Color32::from_rgb(0xb8, 0x48, 0x00),
-    phugoid_slow: Color32::from_rgb(0x94, 0x60, 0x00),
-    third_mode: Color32::from_rgb(0x00, 0x6e, 0x50),
-    divergence: Color32::from_rgb(0x93, 0x2f, 0x69),
-    dutch_roll: Color32::from_rgb(0x93, 0x2f, 0x69),
-    dutch_roll_slow: Color32::from_rgb(0xb0, 0x4a, 0x84),
-    roll: Color32::from_rgb(0x00, 0x6e, 0x50),
-    spiral: Color32::from_rgb(0x94, 0x60, 0x00),
+    short_period: Tone {
+        mark: Color32::from_rgb(0x00, 0x5a, 0x92),
+        text: Color32::from_rgb(0x00, 0x5a, 0x92),
+    },
+    short_period_slow: Tone {
+        mark: Color32::from_rgb(0x00, 0x72, 0xb2),
+        text: Color32::from_rgb(0x00, 0x65, 0x9e),
+    },
+    phugoid: Tone { mark: Color32::from_rgb(0xb8, 0x48, 0x00), text: Color32::from_rgb(0xa3, 0x40, 0x00) },
+    phugoid_slow: Tone {
+        mark: Color32::from_rgb(0x94, 0x60, 0x00),
+        text: Color32::from_rgb(0x84, 0x55, 0x00),
+    },
+    third_mode: Tone { mark: Color32::from_rgb(0x00, 0x6e, 0x50), text: Color32::from_rgb(0x00, 0x6e, 0x50) },
+    divergence: Tone { mark: Color32::from_rgb(0x93, 0x2f, 0x69), text: Color32::from_rgb(0x93, 0x2f, 0x69) },
+    dutch_roll: Tone { mark: Color32::from_rgb(0x93, 0x2f, 0x69), text: Color32::from_rgb(0x93, 0x2f, 0x69) },
+    dutch_roll_slow: Tone {
+        mark: Color32::from_rgb(0xb0, 0x4a, 0x84),
+        text: Color32::from_rgb(0x9a, 0x41, 0x73),
+    },
+    roll: Tone { mark: Color32::from_rgb(0x00, 0x6e, 0x50), text: Color32::from_rgb(0x00, 0x6e, 0x50) },
+    spiral: Tone { mark: Color32::from_rgb(0x94, 0x60, 0x00), text: Color32::from_rgb(0x84, 0x55, 0x00) },
     ..LIGHT
 };
 
@@ -334,9 +380,18 @@ impl Palette {
         Look::of(ui.ctx()).palette()
     }
 
-    /// The one colour of a mode, wherever it is shown. Seven colours that all eyes can tell apart don't go round fourteen names: a
+    /// The one colour of a mode, wherever it is drawn. Seven colours that all eyes can tell apart don't go round fourteen names: a
     /// few names share one, of which no two are ever on screen together.
     pub const fn mode(&self, name: ModeName) -> Color32 {
+        self.tone(name).mark
+    }
+
+    /// The colour of a mode where it is written.
+    pub const fn mode_text(&self, name: ModeName) -> Color32 {
+        self.tone(name).text
+    }
+
+    const fn tone(&self, name: ModeName) -> Tone {
         match name {
             ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
             ModeName::ShortPeriodSlowRoot => self.short_period_slow,
@@ -349,6 +404,22 @@ impl Palette {
             ModeName::RollSubsidence => self.roll,
             ModeName::Spiral => self.spiral,
         }
+    }
+
+    /// Two bars of a mode that stand beside each other, each with the colour of the words on it.
+    pub fn bars(&self, name: ModeName) -> [(Color32, Color32); 2] {
+        let Tone { mark, text } = self.tone(name);
+        [(text, self.pane), (self.pane.blend(mark.gamma_multiply(PALE)), self.text)]
+    }
+
+    /// A link in a text.
+    pub(super) const fn link(&self) -> Color32 {
+        self.short_period.text
+    }
+
+    /// Ground of words on the picture of the aircraft, which shows through a little.
+    pub fn label_ground(&self) -> Color32 {
+        self.pane.gamma_multiply(HIDES)
     }
 
     /// The colour of an aircraft's faces in full light.
@@ -370,6 +441,113 @@ impl Palette {
             DynamicStability::Stable => (self.good, self.good_ground),
             DynamicStability::Neutral => (self.warning, self.warning_ground),
             DynamicStability::Unstable => (self.bad, self.bad_ground),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MODES: [ModeName; 14] = [
+        ModeName::ShortPeriod,
+        ModeName::ShortPeriodFastRoot,
+        ModeName::ShortPeriodSlowRoot,
+        ModeName::ThirdOscillatory,
+        ModeName::Phugoid,
+        ModeName::PhugoidFastRoot,
+        ModeName::PhugoidSlowRoot,
+        ModeName::Divergence,
+        ModeName::DutchRoll,
+        ModeName::DutchRollMoreStableRoot,
+        ModeName::DutchRollLessStableRoot,
+        ModeName::CoupledRollSpiral,
+        ModeName::RollSubsidence,
+        ModeName::Spiral,
+    ];
+
+    /// Relative luminance of WCAG 2.2, 0 of black to 1 of white.
+    fn luminance(color: Color32) -> f64 {
+        let linear = |c: u8| {
+            let c = f64::from(c) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * linear(color.r()) + 0.7152 * linear(color.g()) + 0.0722 * linear(color.b())
+    }
+
+    /// Contrast ratio of WCAG 2.2, 1 to 21.
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    fn check(look: Look, least: f64, what: &str, color: Color32, grounds: &[Color32]) {
+        for ground in grounds {
+            let ratio = contrast(color, *ground);
+            assert!(ratio >= least, "{look:?}: {what} {color:?} on {ground:?}: {ratio:.2}");
+        }
+    }
+
+    #[test]
+    fn contrast_is_that_of_wcag() {
+        assert!((contrast(Color32::BLACK, Color32::WHITE) - 21.0).abs() < 1e-9);
+        // The grey that is known to just pass on white.
+        assert!((contrast(Color32::from_gray(0x76), Color32::WHITE) - 4.54).abs() < 0.01);
+    }
+
+    #[test]
+    fn every_text_stands_out_from_every_ground_that_it_is_on() {
+        for look in [Look::Light, Look::Dark, Look::Projector] {
+            let p = look.palette();
+            let halves = [p.stable_half, p.unstable_half];
+            let grounds = [p.pane, p.field, p.background, halves[0], halves[1]];
+            check(look, 4.5, "text", p.text, &grounds);
+            check(look, 4.5, "weak", p.weak, &grounds);
+            check(look, 4.5, "on strong", p.on_strong, &[p.strong]);
+            check(look, 4.5, "link", p.link(), &grounds);
+            check(look, 4.5, "nonlinear", p.nonlinear, &[p.pane]);
+            for (what, color, ground) in [
+                ("good", p.good, p.good_ground),
+                ("bad", p.bad, p.bad_ground),
+                ("warning", p.warning, p.warning_ground),
+            ] {
+                check(look, 4.5, what, color, &[ground, p.pane, p.field, p.background]);
+            }
+            for name in MODES {
+                check(look, 4.5, name.text(), p.mode_text(name), &grounds);
+                for (bar, words) in p.bars(name) {
+                    check(look, 4.5, "words on a bar", words, &[bar]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_word_on_the_picture_stands_out_from_land_sky_and_aircraft_behind_its_ground() {
+        for look in [Look::Light, Look::Dark, Look::Projector] {
+            let p = look.palette();
+            let behind = [p.sky[0], p.sky[1], p.ground[0], p.ground[1], p.field_on_ground]
+                .into_iter()
+                .chain(p.finishes)
+                .map(|behind| behind.blend(p.label_ground()));
+            let behind: Vec<Color32> = behind.collect();
+            let words = [p.earth_axes, p.velocity, p.good, p.warning, p.text];
+            for color in words.into_iter().chain(p.forces).chain(p.axes) {
+                check(look, 4.5, "words on the picture", color, &behind);
+            }
+        }
+    }
+
+    #[test]
+    fn every_mark_stands_out_from_every_ground_that_it_is_on() {
+        for look in [Look::Light, Look::Dark, Look::Projector] {
+            let p = look.palette();
+            let grounds = [p.pane, p.field, p.stable_half, p.unstable_half];
+            check(look, 3.0, "ghost", p.ghost, &grounds);
+            check(look, 3.0, "stability boundary", p.strong, &grounds);
+            for name in MODES {
+                check(look, 3.0, name.text(), p.mode(name), &grounds);
+            }
         }
     }
 }

@@ -8,10 +8,13 @@ use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::flight::modes::Mode;
 use crate::flight::plane::{Plane, PlaneModel};
-use crate::number::{fixed, significant};
+use crate::number::fixed;
 
-const SIZE: f32 = 112.0;
-const RADIUS: f32 = 38.0;
+/// Room for the arrows and their symbols.
+const SIZE: Vec2 = Vec2::new(136.0, 116.0);
+const RADIUS: f32 = 36.0;
+/// Between the tip of an arrow and its symbol.
+const GAP: f32 = 4.0;
 /// Shorter arrows are told in numbers only.
 const SHOWN: f64 = 0.1;
 
@@ -26,7 +29,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
     let palette = Palette::of(ui);
     let phasors = phasors(model, mode);
     ui.horizontal(|ui| {
-        let (rect, response) = ui.allocate_exact_size(Vec2::splat(SIZE), Sense::hover());
+        let (rect, response) = ui.allocate_exact_size(SIZE, Sense::hover());
         let words: Vec<String> = phasors.iter().map(Phasor::words).collect();
         let words = format!("Shape of the {}: {}", mode.naming.name.text(), words.join("; "));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
@@ -80,7 +83,7 @@ impl Phasor {
         if self.value.norm() < 5e-4 {
             return "0".to_owned();
         }
-        format!("{} ∠ {}°", significant(self.value.norm(), 2), fixed(self.value.arg().to_degrees(), 0))
+        format!("{} ∠ {}°", fixed(self.value.norm(), 3), fixed(self.value.arg().to_degrees(), 0))
     }
 
     fn words(&self) -> String {
@@ -97,15 +100,21 @@ fn draw(ui: &Ui, rect: Rect, phasors: &[Phasor], color: Color32) {
     for (a, b) in [(Vec2::X, -Vec2::X), (Vec2::Y, -Vec2::Y)] {
         painter.line_segment([center + a * RADIUS, center + b * RADIUS], hairline);
     }
-    let mut labels: Vec<Rect> = Vec::new();
-    for phasor in phasors.iter().filter(|phasor| phasor.value.norm() >= SHOWN) {
-        // Up on screen is the positive imaginary axis.
-        let direction = Vec2::new(phasor.value.re as f32, -phasor.value.im as f32);
-        let tip = center + direction * RADIUS;
-        painter.arrow(center, tip - center, Stroke::new(2.0, color));
+    // Up on screen is the positive imaginary axis.
+    let directions: Vec<(&Phasor, Vec2)> = phasors
+        .iter()
+        .filter(|phasor| phasor.value.norm() >= SHOWN)
+        .map(|phasor| (phasor, Vec2::new(phasor.value.re as f32, -phasor.value.im as f32)))
+        .collect();
+    let mut taken: Vec<Rect> = Vec::new();
+    for (_, direction) in &directions {
+        painter.arrow(center, *direction * RADIUS, Stroke::new(2.0, color));
+        taken.extend(along(center, *direction));
+    }
+    for (phasor, direction) in directions {
         let galley = painter.layout_job(Symbol::parse(phasor.symbol).job(12.0, palette.text));
-        let place = label_place(center, direction, galley.size(), &labels);
-        labels.push(place);
+        let place = label_place(rect, direction, galley.size(), &taken);
+        taken.push(place);
         painter.galley(place.min, galley, palette.text);
     }
     if phasors.iter().all(|phasor| phasor.value.norm() < SHOWN) {
@@ -113,15 +122,62 @@ fn draw(ui: &Ui, rect: Rect, phasors: &[Phasor], color: Color32) {
     }
 }
 
-/// Beyond the tip, and further out or round where another label is already.
-fn label_place(center: Pos2, direction: Vec2, size: Vec2, others: &[Rect]) -> Rect {
-    let outward = direction.normalized();
-    let at = |distance: f32, turn: f32| {
-        let toward = egui::emath::Rot2::from_angle(turn) * outward;
-        Rect::from_center_size(center + toward * (direction.length() * RADIUS + distance), size)
+/// Where an arrow lies, in pieces: its head is wider than its shaft.
+fn along(center: Pos2, direction: Vec2) -> impl Iterator<Item = Rect> {
+    let length = direction.length() * RADIUS;
+    let pieces = (length / 4.0).ceil().max(1.0) as usize;
+    (0..=pieces).map(move |k| {
+        let at = k as f32 / pieces as f32;
+        let width = if (1.0 - at) * length < 0.3 * length { 8.0 } else { 3.0 };
+        Rect::from_center_size(center + direction * (at * RADIUS), Vec2::splat(width))
+    })
+}
+
+/// Inside `room`, beyond the tip, further round or out where another symbol or an arrow already is.
+fn label_place(room: Rect, direction: Vec2, size: Vec2, taken: &[Rect]) -> Rect {
+    let at = |turn: f32, further: f32| {
+        let toward = egui::emath::Rot2::from_angle(turn) * direction.normalized();
+        let beyond = 0.5 * (size.x * toward.x.abs() + size.y * toward.y.abs()) + GAP + further;
+        let middle = room.center() + direction * RADIUS + toward * beyond;
+        let inner = room.shrink2(0.5 * size);
+        Rect::from_center_size(middle.clamp(inner.min, inner.max), size)
     };
-    let tries =
-        [(11.0, 0.0), (11.0, 0.35), (11.0, -0.35), (22.0, 0.0), (20.0, 0.5), (20.0, -0.5), (-14.0, 0.4)];
-    let free = |place: &Rect| others.iter().all(|other| !other.intersects(*place));
-    tries.into_iter().map(|(distance, turn)| at(distance, turn)).find(free).unwrap_or_else(|| at(11.0, 0.0))
+    let turns = [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.2, -2.2];
+    let tries = [0.0, 7.0, 14.0, 24.0].into_iter().flat_map(|further| turns.map(|turn| (turn, further)));
+    let overlap = |place: &Rect| -> f32 {
+        taken
+            .iter()
+            .map(|other| place.intersect(*other))
+            .filter(|common| common.is_positive())
+            .map(|c| c.area())
+            .sum()
+    };
+    let places = tries.map(|(turn, further)| at(turn, further));
+    places.min_by(|a, b| overlap(a).total_cmp(&overlap(b))).unwrap_or_else(|| at(0.0, 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_lie_on_no_arrow_on_no_other_symbol_and_inside_their_room() {
+        let room = Rect::from_min_size(Pos2::new(10.0, 20.0), SIZE);
+        let size = Vec2::new(31.0, 17.0);
+        // Four arrows of other lengths in directions all around, also where two or three nearly agree.
+        for step in 0..360 {
+            let angle =
+                |k: usize| (step as f32 + [0.0, 3.0, 94.0, 187.0][k] * (1 + step % 2) as f32).to_radians();
+            let arrows: Vec<Vec2> =
+                (0..4).map(|k| [1.0, 0.96, 0.52, 0.13][k] * Vec2::angled(angle(k))).collect();
+            let mut taken: Vec<Rect> = arrows.iter().flat_map(|to| along(room.center(), *to)).collect();
+            for to in arrows {
+                let place = label_place(room, to, size, &taken);
+                assert!(room.expand(0.01).contains_rect(place), "{step}°: {place}");
+                let other = taken.iter().find(|other| other.shrink(0.01).intersects(place));
+                assert_eq!(other, None, "{step}°: {place}");
+                taken.push(place);
+            }
+        }
+    }
 }

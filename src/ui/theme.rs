@@ -58,7 +58,7 @@ pub(super) fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
     visuals.weak_text_color = Some(palette.weak);
     visuals.error_fg_color = palette.bad;
     visuals.warn_fg_color = palette.warning;
-    visuals.hyperlink_color = palette.short_period;
+    visuals.hyperlink_color = palette.link();
     visuals.selection.bg_fill = palette.strong;
     visuals.selection.stroke = Stroke::new(1.0, palette.on_strong);
     visuals.popup_shadow.color = Color32::from_black_alpha(30);

@@ -139,9 +139,7 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         && bar.roomy
     {
         let palette = Palette::of(ui);
-        ui.label(
-            RichText::new(format!("○ pinned: {}", ghost.name)).font(theme::small()).color(palette.ghost),
-        );
+        ui.label(RichText::new(format!("○ pinned: {}", ghost.name)).font(theme::small()).color(palette.weak));
     }
     action
 }

@@ -53,7 +53,7 @@ impl Labels {
             .collect();
         for ((galley, color, _), place) in galleys.into_iter().zip(placed(&wanted, pane, taken)) {
             let Some(place) = place else { continue };
-            painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
+            painter.rect_filled(place, CornerRadius::same(4), palette.label_ground());
             painter.galley(place.min + MARGIN, galley, color);
         }
     }

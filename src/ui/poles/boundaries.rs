@@ -144,7 +144,7 @@ pub fn labels<'a>(
     boundaries: impl Iterator<Item = &'a Boundary>,
 ) {
     for boundary in boundaries {
-        let color = palette.mode(boundary.criterion.concerns());
+        let color = palette.mode_text(boundary.criterion.concerns());
         let galley = painter.layout_no_wrap(text(boundary), FontId::proportional(10.0), color);
         let Drawn { parts, fails } = drawn(boundary, chart);
         let place = |at: Pos2| {

@@ -136,7 +136,8 @@ impl Choices {
             ui.horizontal_wrapped(|ui| {
                 for (i, mode) in plane.modes.iter().enumerate() {
                     let text = RichText::new(mode.naming.name.text()).font(theme::small());
-                    let text = if i == index { text } else { text.color(palette.mode(mode.naming.name)) };
+                    let text =
+                        if i == index { text } else { text.color(palette.mode_text(mode.naming.name)) };
                     if ui.add(Button::selectable(i == index, text)).clicked() {
                         index = i;
                         self.subject = Some(mode.naming.name);

@@ -122,7 +122,7 @@ fn on_path(chart: &Chart, seen: &Seen<'_>, at: Pos2) -> Option<Near<'static>> {
 pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
     let palette = Palette::of(ui);
     let title = |ui: &mut Ui, text: &str, name: ModeName| {
-        ui.label(RichText::new(text).font(theme::semibold(12.5)).color(palette.mode(name)));
+        ui.label(RichText::new(text).font(theme::semibold(12.5)).color(palette.mode_text(name)));
     };
     match near {
         Near::Pole(index) => {

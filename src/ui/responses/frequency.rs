@@ -146,7 +146,7 @@ fn peaks_ui(ui: &mut Ui, bode: &Bode, unit: &str, input_unit: &str) {
                 significant(peak.gain / bode.unit, 3),
                 significant(peak.frequency, 3)
             );
-            ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.mode(peak.mode)));
+            ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.mode_text(peak.mode)));
             ui.add_space(10.0);
         }
     });
