@@ -380,12 +380,14 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
         ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
     let mut x = rect.left();
     let mut words = Vec::new();
+    let shares = mode.participation;
+    let largest = (0..4).max_by(|&a, &b| shares[a].total_cmp(&shares[b])).unwrap_or(0);
     let symbols = match plane {
         Plane::Longitudinal => ["u", "α", "q", "θ"],
         Plane::Lateral => ["β", "p", "r", "φ"],
     };
-    for (i, (symbol, share)) in symbols.into_iter().zip(mode.participation).enumerate() {
-        let (bar, ink) = bars[i % 2];
+    for (i, (symbol, share)) in symbols.into_iter().zip(shares).enumerate() {
+        let (bar, ink) = bars[(i + largest) % 2];
         let width = rect.width() * share as f32;
         let segment =
             Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));

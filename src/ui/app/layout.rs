@@ -13,6 +13,8 @@ use crate::ui::theme::{self, Palette};
 const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
+/// At the right end of a heading, for the button that takes the pane over the page.
+const CORNER: f32 = 22.0;
 
 impl App {
     /// Sliders left, poles and responses in the middle, modes right or, on a tablet, below.
@@ -153,6 +155,7 @@ impl App {
             match pane {
                 Pane::Poles => {
                     ui.horizontal(|ui| {
+                        ui.set_max_width(ui.available_width() - CORNER);
                         theme::heading(ui, RichText::new("Pole map").heading(), 2);
                         self.pole_choices_ui(ui, Rows::Dense);
                     });

@@ -110,19 +110,27 @@ impl Choices {
         let keys = self.movers(scenario, &plane.modes, index, page, rows);
         let parameters: Vec<&'static Parameter> =
             keys.iter().filter_map(|key| Parameter::find(key)).collect();
-        let text = |color| TextFormat::simple(theme::small(), color);
-        let mut job = LayoutJob::default();
-        job.append("Drag moves ", 0.0, text(palette.weak));
-        for (i, p) in parameters.iter().take(WRITTEN).enumerate() {
-            job.append(if i > 0 { ", " } else { "" }, 0.0, text(palette.text));
-            Symbol::parse(p.symbol).append_to(&mut job, 13.0, palette.text);
-        }
-        match parameters.len() {
-            0 => job.append("nothing", 0.0, text(palette.text)),
-            n if n > WRITTEN => job.append(&format!(" +{}", n - WRITTEN), 0.0, text(palette.text)),
-            _ => {}
-        }
-        job.append(" ▾", 0.0, text(palette.weak));
+        let job = |before: &str, written: usize| {
+            let text = |color| TextFormat::simple(theme::small(), color);
+            let mut job = LayoutJob::default();
+            job.append(before, 0.0, text(palette.weak));
+            for (i, p) in parameters.iter().take(written).enumerate() {
+                job.append(if i > 0 { ", " } else { " " }, 0.0, text(palette.text));
+                Symbol::parse(p.symbol).append_to(&mut job, 13.0, palette.text);
+            }
+            match parameters.len() {
+                0 => job.append(" nothing", 0.0, text(palette.text)),
+                n if n > written => job.append(&format!(" +{}", n - written), 0.0, text(palette.text)),
+                _ => {}
+            }
+            job.append(" ▾", 0.0, text(palette.weak));
+            job
+        };
+        let room = ui.available_width() - 2.0 * ui.spacing().button_padding.x;
+        let jobs = [("Drag moves", WRITTEN), ("Drag:", WRITTEN), ("Drag:", 1), ("Drag", 0)];
+        let fits = |job: &LayoutJob| ui.painter().layout_job(job.clone()).size().x <= room;
+        let [whole, shorter, shortest, least] = jobs.map(|(before, written)| job(before, written));
+        let job = [whole, shorter, shortest].into_iter().find(fits).unwrap_or(least);
         let plain: Vec<String> = parameters.iter().map(|p| Symbol::parse(p.symbol).plain()).collect();
         let name = format!("Drag of the {} moves {}", mode.naming.name.text(), plain.join(", "));
         let button = ui.add(Button::new(job).frame_when_inactive(false)).accessible_name(name);

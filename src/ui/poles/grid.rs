@@ -1,7 +1,9 @@
 //! The ground of a pole map: half planes, rays of equal damping ratio, arcs of equal natural frequency, and their figures.
 
+use std::sync::Arc;
+
 use egui::epaint::Tessellator;
-use egui::{Align2, FontId, Mesh, Painter, Rect, Shape, Stroke, Vec2, pos2};
+use egui::{Align2, Color32, FontId, Galley, Mesh, Painter, Rect, Shape, Stroke, Vec2, pos2};
 use nalgebra::Complex;
 
 use super::chart::{Chart, View};
@@ -95,38 +97,148 @@ fn dashes(painter: &Painter, chart: &Chart, palette: &Palette) -> Mesh {
     mesh
 }
 
-/// Writes figures of rays and arcs, and what the axes are, where there is room.
-pub fn labels(painter: &Painter, chart: &Chart, palette: &Palette, placement: &mut Placement) {
-    let mut faint = |text: String, at: egui::Pos2, align: Align2| {
-        let galley =
-            painter.layout_no_wrap(text, FontId::proportional(10.0), palette.weak.gamma_multiply(0.8));
-        let place = align.anchor_size(at, galley.size());
-        if placement.take(place) {
-            painter.galley(place.min, galley, palette.weak);
+/// Size of the figures.
+const FIGURE: f32 = 10.0;
+/// Length of a tick at the lower edge.
+const TICK: f32 = 4.0;
+/// From one row of words to the next.
+const ROW: f32 = 17.0;
+/// Figures of arcs are so far from each other.
+const APART: f32 = 30.0;
+
+/// Writes the scale before anything else takes its place: figures of Re λ along the lower edge, with ticks there and on the real
+/// axis where real poles are read, and one arc's ωₙ, which it gives.
+pub fn scale(painter: &Painter, chart: &Chart, palette: &Palette, placement: &mut Placement) -> Option<f64> {
+    let (rect, origin) = (chart.rect, chart.position(Complex::from(0.0)));
+    let line = Stroke::new(1.0, palette.weak);
+    for (re, text) in ticks(chart, |text| figure(painter, text, palette).size().x) {
+        let x = chart.position(Complex::from(re)).x;
+        painter.vline(x, rect.bottom() - TICK..=rect.bottom(), line);
+        painter.vline(x, origin.y - 0.6 * TICK..=origin.y + 0.6 * TICK, line);
+        let galley = figure(painter, text, palette);
+        // Where a pole or another mark is at the edge, it stands under the real axis.
+        let places = [
+            Align2::CENTER_BOTTOM.anchor_size(pos2(x, rect.bottom() - TICK), galley.size()),
+            Align2::CENTER_TOP.anchor_size(pos2(x, origin.y + TICK), galley.size()),
+        ];
+        write(painter, placement, galley, places);
+    }
+    arc_frequencies(chart.view).find(|wn| arc_label(painter, chart, palette, placement, *wn))
+}
+
+/// Round numbers of Re λ on the map but for 0, which has its own line: at least two, and as many as there is room for figures of a
+/// `width`.
+fn ticks(chart: &Chart, width: impl Fn(String) -> f32) -> Vec<(f64, String)> {
+    const STEPS: [f64; 3] = [5.0, 2.0, 1.0];
+    let (left, right) = (chart.at(chart.rect.left_top()).re, chart.at(chart.rect.right_top()).re);
+    let largest = 10_f64.powf((right - left).abs().max(f64::MIN_POSITIVE).log10().floor());
+    let steps = [1.0, 0.1, 0.01].into_iter().flat_map(|decade| STEPS.map(|digit| digit * decade * largest));
+    let mut chosen = Vec::new();
+    for step in steps {
+        let (first, last) = ((left / step).ceil(), (right / step).floor());
+        let count = (last - first + 1.0).clamp(0.0, 60.0) as usize;
+        let marks: Vec<(f64, String)> = (0..count)
+            .map(|k| first + k as f64)
+            .filter(|k| *k != 0.0)
+            .map(|k| (k * step, trimmed(k * step, 6)))
+            .filter(|(re, text)| {
+                let half = 0.5 * width(text.clone()) + 3.0;
+                let x = chart.position(Complex::from(*re)).x;
+                chart.rect.left() + half < x && x < chart.rect.right() - half
+            })
+            .collect();
+        let widest = marks.iter().map(|(_, text)| width(text.clone())).fold(0.0, f32::max);
+        let crowded = f64::from(widest + 12.0) * chart.per_point() > step;
+        if crowded && chosen.len() >= 2 {
+            break;
         }
+        chosen = marks;
+        if crowded && chosen.len() >= 2 {
+            // Every second one, where two are left.
+            let every = if chosen.len() > 2 { 2 } else { 1 };
+            return chosen.into_iter().step_by(every).collect();
+        }
+    }
+    chosen
+}
+
+fn figure(painter: &Painter, text: String, palette: &Palette) -> Arc<Galley> {
+    painter.layout_no_wrap(text, FontId::proportional(FIGURE), palette.weak)
+}
+
+/// Writes a figure at the first of some places that is free, and says whether one was.
+fn write(
+    painter: &Painter,
+    placement: &mut Placement,
+    galley: Arc<Galley>,
+    places: impl IntoIterator<Item = Rect>,
+) -> bool {
+    let place = places.into_iter().find(|place| placement.take(*place));
+    if let Some(place) = place {
+        painter.galley(place.min, galley, Color32::PLACEHOLDER);
+    }
+    place.is_some()
+}
+
+/// Writes ωₙ beside the end of an arc on the imaginary axis, or on the real axis; says whether there was room.
+fn arc_label(
+    painter: &Painter,
+    chart: &Chart,
+    palette: &Palette,
+    placement: &mut Placement,
+    wn: f64,
+) -> bool {
+    let galley = figure(painter, format!("{} rad/s", trimmed(wn, 4)), palette);
+    let [below, above] = [-wn, wn].map(|im| chart.position(Complex::new(0.0, im)) + Vec2::new(-5.0, 0.0));
+    let real = chart.position(Complex::from(-wn)) + Vec2::new(2.0, 2.0);
+    let places = [(below, Align2::RIGHT_CENTER), (above, Align2::RIGHT_CENTER), (real, Align2::LEFT_TOP)];
+    let places = places.map(|(at, align)| align.anchor_size(at, galley.size()));
+    write(painter, placement, galley, places)
+}
+
+/// Writes figures of rays and of the arcs but for the one that is `written`, and what the axes are, where there is room.
+pub fn labels(
+    painter: &Painter,
+    chart: &Chart,
+    palette: &Palette,
+    placement: &mut Placement,
+    written: Option<f64>,
+) {
+    let mut faint = |text: String, places: &[(egui::Pos2, Align2)]| {
+        let galley = figure(painter, text, palette);
+        let size = galley.size();
+        write(painter, placement, galley, places.iter().map(|(at, align)| align.anchor_size(*at, size)))
     };
     let (rect, origin) = (chart.rect, chart.position(Complex::from(0.0)));
-    faint("Re λ, 1/s".to_owned(), pos2(rect.left() + 5.0, origin.y - 2.0), Align2::LEFT_BOTTOM);
-    faint("Im λ".to_owned(), pos2(origin.x + 5.0, rect.top() + 4.0), Align2::LEFT_TOP);
+    // Above the figures along the edge.
+    let above = |x: f32, rows: f32| pos2(x, rect.bottom() - TICK - rows * ROW);
+    let (left, right) = (rect.left() + 6.0, rect.right() - 6.0);
+    let on_axis = pos2(rect.left() + 5.0, origin.y - 2.0);
+    let beside = [(on_axis, Align2::LEFT_BOTTOM), (above(left, 2.0), Align2::LEFT_BOTTOM)];
+    faint("Re λ, 1/s".to_owned(), &beside);
+    faint("Im λ".to_owned(), &[(pos2(origin.x + 5.0, rect.top() + 4.0), Align2::LEFT_TOP)]);
     if origin.x > rect.left() {
-        faint("stable".to_owned(), rect.left_bottom() + Vec2::new(6.0, -4.0), Align2::LEFT_BOTTOM);
+        faint("stable".to_owned(), &[(above(left, 1.0), Align2::LEFT_BOTTOM)]);
     }
     if origin.x < rect.right() {
-        faint("unstable".to_owned(), rect.right_bottom() + Vec2::new(-6.0, -4.0), Align2::RIGHT_BOTTOM);
+        faint("unstable".to_owned(), &[(above(right, 1.0), Align2::RIGHT_BOTTOM)]);
     }
     let inner = chart.part(rect.shrink2(Vec2::new(14.0, 10.0)));
     for zeta in DAMPING_RATIOS {
         let [up, origin, _] = rays(zeta, chart);
         // Just inside the edge that the ray leaves by.
         if let Some(end) = inner.clipped([origin, up]).last().and_then(|part| part.last()) {
-            faint(format!("ζ {zeta}"), *end + Vec2::new(0.0, 2.0), Align2::CENTER_CENTER);
+            faint(format!("ζ {zeta}"), &[(*end + Vec2::new(0.0, 2.0), Align2::CENTER_CENTER)]);
         }
     }
-    for wn in arc_frequencies(chart.view) {
-        let at = chart.position(Complex::from(-wn));
-        if at.x > rect.left() + 4.0 {
-            let text = format!("{} rad/s", trimmed(wn, 4));
-            faint(text, at + Vec2::new(2.0, 2.0), Align2::LEFT_TOP);
+    // Those that are a whole number of steps from the one that is written.
+    let mut arcs = arc_frequencies(chart.view).peekable();
+    let first = written.or(arcs.peek().copied()).unwrap_or(0.0);
+    let mut last = first;
+    for wn in arcs.filter(|wn| *wn > first) {
+        if wn - last > f64::from(APART) * chart.per_point() {
+            arc_label(painter, chart, palette, placement, wn);
+            last = wn;
         }
     }
 }
@@ -134,6 +246,27 @@ pub fn labels(painter: &Painter, chart: &Chart, palette: &Palette, placement: &m
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_map_has_two_figures_of_the_real_axis_and_a_wide_one_has_none_on_another() {
+        let width = |text: String| 6.0 * text.chars().count() as f32;
+        for (points, height) in [(70.0, 260.0), (99.0, 260.0), (155.0, 190.0), (236.0, 320.0), (600.0, 500.0)]
+        {
+            let rect = Rect::from_min_size(pos2(3.0, 4.0), Vec2::new(points, height));
+            for k in 0..200 {
+                let scale = 1e-4 * 10_f64.powf(0.04 * f64::from(k));
+                let view = View { left: -5.0 * scale, right: scale, bottom: -scale, top: scale };
+                let chart = Chart { rect, view };
+                let ticks = ticks(&chart, width);
+                assert!(ticks.len() >= 2, "{points} points, {scale}: {ticks:?}");
+                let end = |(re, text): &(f64, String), side: f32| {
+                    chart.position(Complex::from(*re)).x + side * 0.5 * width(text.clone())
+                };
+                let apart = ticks.windows(2).all(|pair| end(&pair[0], 1.0) < end(&pair[1], -1.0));
+                assert!(apart || points < 200.0, "{points} points, {scale}: {ticks:?}");
+            }
+        }
+    }
 
     #[test]
     fn every_view_has_a_few_arcs_through_it() {

@@ -1,18 +1,80 @@
-//! Labels beside points, placed so that none lies on another.
+//! Labels beside points, placed so that none lies on another and none is taken for that of another point.
+
+use std::f32::consts::TAU;
 
 use egui::{Pos2, Rect, Vec2};
 
+/// From a point to the label beside it.
+const GAP: f32 = 10.0;
+/// A leader ends so far from its point: at the edge of its mark.
+const MARK_RADIUS: f32 = 8.0;
+/// Two points that are nearer than this are one to the eye: a leader to the one may touch the other.
+const MERGED: f32 = 10.0;
+/// A leader in the other half of the map is taken if it is shorter by this.
+const OTHER_HALF: f32 = 80.0;
+/// A leader is exchanged for one that is shorter by this.
+const SHORTER: f32 = 40.0;
+
 /// Rectangles that are taken, inside a frame.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Placement {
     frame: Rect,
     taken: Vec<Rect>,
+    labels: Vec<Rect>,
+    leaders: Vec<[Pos2; 2]>,
+}
+
+/// What a label is wanted for.
+#[derive(Debug)]
+pub struct Wanted {
+    /// Its points: of a pair both, the first beside which the label rather stands.
+    pub own: Vec<Pos2>,
+    /// Points that it must not be taken for.
+    pub others: Vec<Pos2>,
+    /// Its half of the map, where it stands without a leader.
+    pub half: Rect,
+    /// Sizes that it can have, the best first.
+    pub sizes: Vec<Vec2>,
+    /// The first of them that it may have.
+    pub first: usize,
+}
+
+/// Where a label stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// There.
+    pub rect: Rect,
+    /// Which of its sizes it has.
+    pub size: usize,
+    /// From the label to its point, where the label doesn't stand beside it.
+    pub leader: Option<[Pos2; 2]>,
+    /// Which of its points it belongs to.
+    point: usize,
+}
+
+impl Place {
+    /// Beside its point and with all its words is best.
+    fn rank(&self) -> (bool, usize) {
+        (self.leader.is_some(), self.size)
+    }
+
+    fn length(&self) -> f32 {
+        self.leader.map_or(0.0, |[from, to]| from.distance(to))
+    }
+}
+
+/// Where a label stood: it stays there as long as it can, so that nothing jumps while a slider moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// From its point to its middle.
+    offset: Vec2,
+    place: Place,
 }
 
 impl Placement {
     /// Nothing placed yet inside `frame`.
     pub fn new(frame: Rect) -> Self {
-        Self { frame, taken: Vec::new() }
+        Self { frame, taken: Vec::new(), labels: Vec::new(), leaders: Vec::new() }
     }
 
     /// Keeps labels off a place.
@@ -22,52 +84,173 @@ impl Placement {
 
     /// Whether a place is inside the frame and nothing lies on it.
     fn is_free(&self, place: Rect) -> bool {
-        self.frame.contains_rect(place) && !self.taken.iter().any(|taken| taken.intersects(place))
+        let on_leader = |leader: &[Pos2; 2]| touches(place.expand(2.0), *leader);
+        self.frame.contains_rect(place)
+            && !self.taken.iter().chain(&self.labels).any(|taken| taken.intersects(place))
+            && !self.leaders.iter().any(on_leader)
     }
 
     /// Takes a place if it is free, and says whether it was.
     pub fn take(&mut self, place: Rect) -> bool {
         let free = self.is_free(place);
         if free {
-            self.taken.push(place.expand(2.0));
+            self.labels.push(place.expand(2.0));
         }
         free
     }
 
-    /// Where a label of this size goes beside `anchor`, nearest free place first; `None` where there is no room.
-    pub fn beside(&mut self, anchor: Pos2, size: Vec2) -> Option<Rect> {
-        let place = candidates(anchor, size)
-            .map(|place| pushed_into(self.frame, place))
-            .find(|place| self.is_free(*place))?;
-        self.taken.push(place.expand(2.0));
-        Some(place)
+    /// Finds a place for a label and takes it; `None` where there is no room. What was `kept` is kept while it is possible;
+    /// where the map `rests`, it gives way to what is better.
+    pub fn label(&mut self, wanted: &Wanted, kept: Option<Kept>, rests: bool) -> Option<(Place, Kept)> {
+        let kept = kept.and_then(|kept| self.again(wanted, kept));
+        let place = match kept {
+            Some(kept) if !rests => kept,
+            Some(kept) => {
+                let better = |new: &Place| {
+                    new.rank() < kept.rank()
+                        || new.rank() == kept.rank() && new.length() + SHORTER < kept.length()
+                };
+                self.best(wanted).filter(better).unwrap_or(kept)
+            }
+            None => self.best(wanted)?,
+        };
+        self.labels.push(place.rect.expand(2.0));
+        self.leaders.extend(place.leader);
+        let offset = place.rect.center() - wanted.own[place.point];
+        Some((place, Kept { offset, place }))
+    }
+
+    /// The same place beside the point where it is now.
+    fn again(&self, wanted: &Wanted, kept: Kept) -> Option<Place> {
+        let Kept { offset, place: Place { size, point, leader, .. } } = kept;
+        let (own, size_now) = (wanted.own.get(point)?, wanted.sizes.get(size)?);
+        if size < wanted.first {
+            return None;
+        }
+        let rect = self.pushed_in(Rect::from_center_size(*own + offset, *size_now));
+        if leader.is_none() {
+            self.beside(wanted, point, size, rect)
+        } else {
+            self.led(wanted, point, size, rect)
+        }
+    }
+
+    fn best(&self, wanted: &Wanted) -> Option<Place> {
+        let beside = || {
+            wanted.sizes.iter().enumerate().skip(wanted.first).flat_map(|(k, size)| {
+                let of_point = move |(point, at): (usize, &Pos2)| {
+                    adjacent(*at, *size).map(move |rect| (point, k, rect)).collect::<Vec<_>>()
+                };
+                wanted.own.iter().enumerate().flat_map(of_point)
+            })
+        };
+        let found =
+            beside().find_map(|(point, size, rect)| self.beside(wanted, point, size, self.pushed_in(rect)));
+        found.or_else(|| {
+            (wanted.first..wanted.sizes.len()).find_map(|size| {
+                let led = (0..wanted.own.len()).flat_map(|point| {
+                    around(wanted.own[point], wanted.sizes[size])
+                        .filter_map(move |rect| self.led(wanted, point, size, self.pushed_in(rect)))
+                });
+                let cost = |place: &Place| {
+                    let away = if wanted.half.contains_rect(place.rect) { 0.0 } else { OTHER_HALF };
+                    place.length() + away
+                };
+                led.min_by(|a, b| cost(a).total_cmp(&cost(b)))
+            })
+        })
+    }
+
+    /// A place without a leader: free, near, in its half, and plainly nearer to its own point than to any other.
+    fn beside(&self, wanted: &Wanted, point: usize, size: usize, rect: Rect) -> Option<Place> {
+        let own = rect.distance_to_pos(wanted.own[point]);
+        let plain = wanted.others.iter().all(|other| rect.distance_to_pos(*other) > 1.4 * own + 2.0);
+        (plain && own < 2.0 * GAP && wanted.half.contains_rect(rect) && self.is_free(rect)).then_some(Place {
+            rect,
+            size,
+            leader: None,
+            point,
+        })
+    }
+
+    /// A place with a leader, which passes no other point and crosses nothing that is written.
+    fn led(&self, wanted: &Wanted, point: usize, size: usize, rect: Rect) -> Option<Place> {
+        let own = wanted.own[point];
+        if !self.is_free(rect) || !self.frame.contains(own) {
+            return None;
+        }
+        let from = rect.clamp(own);
+        let way = own - from;
+        if way.length() < MARK_RADIUS + 4.0 {
+            return None;
+        }
+        let leader = [from, own - way.normalized() * MARK_RADIUS];
+        let passes = |other: &Pos2| {
+            other.distance(own) > MERGED
+                && touches(Rect::from_center_size(*other, Vec2::splat(2.0 * MARK_RADIUS)), leader)
+        };
+        let clear = !wanted.others.iter().any(passes)
+            && !self.labels.iter().any(|label| touches(*label, leader))
+            && !self.leaders.iter().any(|other| cross(*other, leader));
+        clear.then_some(Place { rect, size, leader: Some(leader), point })
+    }
+
+    /// A place at the edge of the frame moves inwards, as far as it has to.
+    fn pushed_in(&self, place: Rect) -> Rect {
+        let inwards = |low: f32, high: f32, from: f32, to: f32| (from - low).max(0.0) + (to - high).min(0.0);
+        let frame = self.frame;
+        place.translate(Vec2::new(
+            inwards(place.left(), place.right(), frame.left(), frame.right()),
+            inwards(place.top(), place.bottom(), frame.top(), frame.bottom()),
+        ))
     }
 }
 
-/// A place at the edge of the frame moves inwards, as far as it has to.
-fn pushed_into(frame: Rect, place: Rect) -> Rect {
-    let inwards = |low: f32, high: f32, from: f32, to: f32| (from - low).max(0.0) + (to - high).min(0.0);
-    place.translate(Vec2::new(
-        inwards(place.left(), place.right(), frame.left(), frame.right()),
-        inwards(place.top(), place.bottom(), frame.top(), frame.bottom()),
-    ))
+/// Whether a straight line touches a rectangle.
+fn touches(rect: Rect, [a, b]: [Pos2; 2]) -> bool {
+    let corners = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom()];
+    rect.contains(a) || rect.contains(b) || (0..4).any(|k| cross([corners[k], corners[(k + 1) % 4]], [a, b]))
 }
 
-/// Places around an anchor, from near to far; right and left first, since labels are wide.
-fn candidates(anchor: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
-    [12.0_f32, 26.0, 48.0, 80.0].into_iter().flat_map(move |gap| {
-        let (dx, dy) = (0.5 * size.x + gap, 0.5 * size.y + gap);
-        [
-            Vec2::new(0.0, -dy),
-            Vec2::new(dx, 0.0),
-            Vec2::new(-dx, 0.0),
-            Vec2::new(-dx, -0.7 * dy),
-            Vec2::new(dx, -0.7 * dy),
-            Vec2::new(0.0, dy),
-            Vec2::new(-dx, 0.7 * dy),
-            Vec2::new(dx, 0.7 * dy),
-        ]
-        .map(|offset| Rect::from_center_size(anchor + offset, size))
+/// Whether two straight lines meet.
+fn cross([a, b]: [Pos2; 2], [c, d]: [Pos2; 2]) -> bool {
+    let side = |p: Pos2, q: Pos2, r: Pos2| (q - p).x * (r - p).y - (q - p).y * (r - p).x;
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// Places beside an anchor: above and below before the sides, where the real axis runs through a label.
+fn adjacent(anchor: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
+    let half = 0.5 * size;
+    let (dx, dy) = (half.x + GAP, half.y + GAP);
+    // A corner next to the mark.
+    let (cx, cy) = (half.x + 0.5 * GAP, half.y + 0.8 * GAP);
+    [
+        Vec2::new(0.0, -dy),
+        Vec2::new(-0.6 * half.x, -dy),
+        Vec2::new(0.6 * half.x, -dy),
+        Vec2::new(-cx, -cy),
+        Vec2::new(cx, -cy),
+        Vec2::new(-dx, 0.0),
+        Vec2::new(dx, 0.0),
+        Vec2::new(0.0, dy),
+        Vec2::new(-0.6 * half.x, dy),
+        Vec2::new(0.6 * half.x, dy),
+        Vec2::new(-cx, cy),
+        Vec2::new(cx, cy),
+    ]
+    .into_iter()
+    .map(move |offset| Rect::from_center_size(anchor + offset, size))
+}
+
+/// Places around an anchor, wider and wider.
+fn around(anchor: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
+    const DIRECTIONS: usize = 16;
+    [18.0_f32, 28.0, 40.0, 55.0, 75.0, 100.0, 130.0, 170.0, 220.0, 280.0].into_iter().flat_map(move |gap| {
+        (0..DIRECTIONS).map(move |k| {
+            let toward = Vec2::angled(TAU * k as f32 / DIRECTIONS as f32);
+            let offset = Vec2::new(toward.x * (0.5 * size.x + gap), toward.y * (0.5 * size.y + gap));
+            Rect::from_center_size(anchor + offset, size)
+        })
     })
 }
 
@@ -77,10 +260,15 @@ mod tests {
 
     use super::*;
 
+    fn lone(at: Pos2, size: Vec2) -> Wanted {
+        Wanted { own: vec![at], others: Vec::new(), half: Rect::EVERYTHING, sizes: vec![size], first: 0 }
+    }
+
     #[test]
     fn a_label_with_no_room_is_left_out() {
         let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(50.0, 20.0));
-        assert_eq!(Placement::new(frame).beside(Pos2::new(10.0, 10.0), Vec2::new(90.0, 28.0)), None);
+        let wanted = lone(Pos2::new(10.0, 10.0), Vec2::new(90.0, 28.0));
+        assert_eq!(Placement::new(frame).label(&wanted, None, true), None);
     }
 
     #[test]
@@ -88,14 +276,36 @@ mod tests {
         let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
         for (x, y) in [(200.0, 150.0), (3.0, 3.0), (397.0, 297.0), (3.0, 150.0)] {
             let anchor = Pos2::new(x, y);
-            let place = Placement::new(frame).beside(anchor, Vec2::new(90.0, 28.0)).expect("a place");
-            assert!(place.distance_to_pos(anchor) < 30.0, "{place} for {anchor}");
+            let wanted = lone(anchor, Vec2::new(90.0, 28.0));
+            let mut placement = Placement::new(frame);
+            placement.keep_clear(Rect::from_center_size(anchor, Vec2::splat(14.0)));
+            let (place, _) = placement.label(&wanted, None, true).expect("a place");
+            assert!(place.rect.distance_to_pos(anchor) < 20.0, "{place:?} for {anchor}");
+            assert_eq!(place.leader, None);
         }
+    }
+
+    #[test]
+    fn a_label_moves_with_its_pole_and_keeps_its_side_while_the_hand_is_at_work() {
+        let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
+        let size = Vec2::new(90.0, 28.0);
+        let mut kept: Option<Kept> = None;
+        let mut offsets = Vec::new();
+        for step in 0..200 {
+            // The pole goes down past another one on its right.
+            let at = Pos2::new(200.0, 60.0 + step as f32);
+            let wanted = Wanted { others: vec![Pos2::new(260.0, 150.0)], ..lone(at, size) };
+            let (place, now) = Placement::new(frame).label(&wanted, kept, false).expect("a place");
+            offsets.push(place.rect.center() - at);
+            kept = Some(now);
+        }
+        let jumps = offsets.windows(2).filter(|pair| (pair[1] - pair[0]).length() > 0.01).count();
+        assert!(jumps <= 1, "{jumps} jumps");
     }
 
     fn points() -> impl Strategy<Value = Vec<(Pos2, Vec2)>> {
         let one = (-40.0..760.0_f32, -40.0..420.0_f32, 5.0..140.0_f32, 8.0..30.0_f32);
-        proptest::collection::vec(one.prop_map(|(x, y, w, h)| (Pos2::new(x, y), Vec2::new(w, h))), 0..12)
+        proptest::collection::vec(one.prop_map(|(x, y, w, h)| (Pos2::new(x, y), Vec2::new(w, h))), 0..9)
     }
 
     proptest! {
@@ -103,7 +313,7 @@ mod tests {
 
         /// Poles and other marks anywhere, labels of any size beside some of them and at fixed places, as a map has them.
         #[test]
-        fn no_label_lies_on_another_or_on_a_mark_or_outside(
+        fn no_label_lies_on_another_or_on_a_mark_or_outside_and_each_belongs_to_its_pole(
             width in 60.0..700.0_f32,
             height in 40.0..400.0_f32,
             marks in points(),
@@ -116,8 +326,25 @@ mod tests {
             clear.extend(poles.iter().map(|(at, _)| Rect::from_center_size(*at, Vec2::splat(14.0))));
             clear.push(Rect::from_center_size(frame.center(), Vec2::new(2.0, 2.0 * height)));
             clear.iter().for_each(|mark| placement.keep_clear(*mark));
-            let mut labels: Vec<Rect> =
-                poles.iter().filter_map(|(at, size)| placement.beside(*at, *size)).collect();
+            let mut labels: Vec<Rect> = Vec::new();
+            let mut leaders: Vec<(usize, [Pos2; 2])> = Vec::new();
+            for (i, (at, size)) in poles.iter().enumerate() {
+                let others: Vec<Pos2> = poles.iter().map(|(other, _)| *other).filter(|other| other != at).collect();
+                let wanted = Wanted { others: others.clone(), ..lone(*at, *size) };
+                let Some((place, kept)) = placement.label(&wanted, None, true) else { continue };
+                match place.leader {
+                    None => {
+                        let own = place.rect.distance_to_pos(*at);
+                        prop_assert!(others.iter().all(|other| place.rect.distance_to_pos(*other) > own), "of another");
+                    }
+                    Some([from, to]) => {
+                        prop_assert!(place.rect.expand(0.1).contains(from) && to.distance(*at) < 9.0);
+                        leaders.push((i, [from, to]));
+                    }
+                }
+                prop_assert_eq!(kept.place, place);
+                labels.push(place.rect);
+            }
             for (at, size) in fixed {
                 let place = Rect::from_min_size(at, size);
                 if placement.take(place) {
@@ -128,6 +355,7 @@ mod tests {
                 prop_assert!(frame.contains_rect(*label), "{label} outside");
                 prop_assert!(labels[i + 1..].iter().all(|other| !label.intersects(*other)), "{label} on another");
                 prop_assert!(clear.iter().all(|mark| !label.intersects(*mark)), "{label} on a mark");
+                prop_assert!(leaders.iter().all(|(_, leader)| !touches(label.shrink(0.5), *leader)), "crossed");
             }
         }
     }

@@ -1,15 +1,18 @@
 //! One of the two maps: what is drawn on it, in which order, with labels that never collide.
 
-use egui::{Align2, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2};
+use std::sync::Arc;
+
+use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2};
 use nalgebra::Complex;
 
 use super::chart::{Chart, View};
 use super::drag::{Held, Outcome};
-use super::labels::Placement;
+use super::labels::{Kept, Place, Placement, Wanted};
 use super::trail::Trail;
-use super::{NARROW, Seen, boundaries, grid, marks};
+use super::{NARROW, NARROWEST, Seen, boundaries, grid, marks};
 use crate::flight::level_boundaries::Boundary;
 use crate::flight::modes::{DynamicStability, Mode};
+use crate::flight::naming::ModeName;
 use crate::number::{fixed, significant};
 use crate::ui::axis_range::round_up;
 use crate::ui::theme::{self, Palette};
@@ -94,10 +97,16 @@ impl Map<'_> {
         chart: &Chart,
         seen: &Seen<'_>,
         extras: Extras<'_>,
+        stood: &mut Stood,
     ) {
         let rect = chart.rect;
         let caption = self.rect.min + Vec2::new(0.0, 0.5 * CAPTION - 1.0);
-        let name = self.name.split(',').next().filter(|_| rect.width() < NARROW).unwrap_or(self.name);
+        let until = |end: char| self.name.split(end).next().unwrap_or(self.name);
+        let name = match rect.width() {
+            width if width < NARROWEST => until(' '),
+            width if width < NARROW => until(','),
+            _ => self.name,
+        };
         ui.painter().text(caption, Align2::LEFT_CENTER, name, theme::small(), palette.weak);
         let painter = ui.painter_at(rect);
         let home = || self.boundaries(extras.boundaries);
@@ -130,29 +139,91 @@ impl Map<'_> {
             marks::mode(&painter, chart, palette, mode);
         }
 
-        let mut placement = Placement::new(rect.shrink(3.0));
-        let mut clear = |at: Complex<f64>| {
-            marks::both(at, |at| {
-                placement.keep_clear(Rect::from_center_size(chart.position(at), Vec2::splat(MARK)));
-            });
-        };
-        self.modes.iter().for_each(|mode| clear(mode.lambda));
-        approximated().for_each(|(_, root)| clear(root));
-        // No label across the stability boundary.
-        let origin = chart.position(Complex::from(0.0));
-        placement.keep_clear(Rect::from_center_size(origin, Vec2::new(2.0, 4.0 * rect.height())));
+        let approximated: Vec<Complex<f64>> = approximated().map(|(_, root)| root).collect();
+        let mut placement = self.occupied(chart, &approximated);
+        let written = grid::scale(&painter, chart, palette, &mut placement);
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
         boundaries::keep_clear(chart, &mut placement, home());
-        for mode in self.modes {
-            let anchor = chart.position(mode.lambda);
-            if rect.contains(anchor) {
-                let brief = extras.inset.is_some_and(|inset| crowded(mode, chart.view, inset));
-                label(&painter, palette, &mut placement, anchor, mode, brief);
-            }
+        stood.rests = !ui.input(|input| input.pointer.any_down());
+        for label in self.labels(&painter, palette, chart, &mut placement, extras.inset, stood) {
+            label.draw(&painter, palette.mode(self.modes[label.mode].naming.name));
         }
         boundaries::labels(&painter, chart, palette, &mut placement, home());
-        grid::labels(&painter, chart, palette, &mut placement);
+        grid::labels(&painter, chart, palette, &mut placement, written);
         ui.painter().rect_stroke(rect, 4.0, Stroke::new(1.0, palette.hairline), StrokeKind::Inside);
+    }
+
+    /// All poles and other marks, from which labels keep clear, and the boundary, which none crosses.
+    fn occupied(&self, chart: &Chart, approximated: &[Complex<f64>]) -> Placement {
+        let rect = chart.rect;
+        let mut placement = Placement::new(rect.shrink(3.0));
+        for root in self.modes.iter().map(|mode| mode.lambda).chain(approximated.iter().copied()) {
+            marks::both(root, |at| {
+                placement.keep_clear(Rect::from_center_size(chart.position(at), Vec2::splat(MARK)));
+            });
+        }
+        let origin = chart.position(Complex::from(0.0));
+        placement.keep_clear(Rect::from_center_size(origin, Vec2::new(2.0, 4.0 * rect.height())));
+        placement
+    }
+
+    /// The labels of its modes at their places: with numbers if all have room then, else names alone.
+    fn labels(
+        &self,
+        painter: &Painter,
+        palette: &Palette,
+        chart: &Chart,
+        placement: &mut Placement,
+        inset: Option<View>,
+        stood: &mut Stood,
+    ) -> Vec<Label> {
+        let on_map: Vec<(usize, Vec<Lines>, Wanted)> = (0..self.modes.len())
+            .filter_map(|index| {
+                let mode = &self.modes[index];
+                let own = self.poles_on(chart, index);
+                let others = (0..self.modes.len()).filter(|i| *i != index);
+                let others = others.flat_map(|i| self.poles_on(chart, i)).collect();
+                let texts = texts(painter, palette, mode);
+                let sizes = texts.iter().map(|lines| extent(lines)).collect();
+                let brief = inset.is_some_and(|inset| crowded(mode, chart.view, inset));
+                let wanted =
+                    Wanted { own, others, half: half(chart, mode), sizes, first: usize::from(brief) };
+                (!wanted.own.is_empty()).then_some((index, texts, wanted))
+            })
+            .collect();
+        let name = |index: usize| self.modes[index].naming.name;
+        let places = |placement: &mut Placement, on_map: &[(usize, Vec<Lines>, Wanted)]| {
+            let place = |(index, _, wanted): &(usize, Vec<Lines>, Wanted)| {
+                let kept = stood.kept.iter().find(|(of, _)| *of == name(*index)).map(|(_, kept)| *kept);
+                placement.label(wanted, kept, stood.rests)
+            };
+            on_map.iter().map(place).collect::<Vec<Option<(Place, Kept)>>>()
+        };
+        let (free, mut on_map) = (placement.clone(), on_map);
+        let mut found = places(placement, &on_map);
+        if found.iter().any(Option::is_none) {
+            on_map.iter_mut().for_each(|(.., wanted)| wanted.first = 1);
+            *placement = free;
+            found = places(placement, &on_map);
+        }
+        let mut labels = Vec::new();
+        let mut kept_now = Vec::new();
+        for ((index, mut texts, _), found) in on_map.into_iter().zip(found) {
+            if let Some((place, kept)) = found {
+                kept_now.push((name(index), kept));
+                labels.push(Label { mode: index, lines: texts.swap_remove(place.size), place });
+            }
+        }
+        stood.kept = kept_now;
+        labels
+    }
+
+    /// Where the poles of a mode are on the map, the upper one of a pair first.
+    fn poles_on(&self, chart: &Chart, index: usize) -> Vec<Pos2> {
+        let mut poles = Vec::new();
+        marks::both(self.modes[index].lambda, |pole| poles.push(chart.position(pole)));
+        poles.retain(|pole| chart.rect.contains(*pole));
+        poles
     }
 
     /// What the map shows, in words.
@@ -193,31 +264,72 @@ fn held(painter: &Painter, chart: &Chart, palette: &Palette, held: Option<&Held>
     }
 }
 
-/// Name and the two numbers that matter most, beside a pole; the name alone where there is no room for more.
-fn label(
-    painter: &Painter,
-    palette: &Palette,
-    placement: &mut Placement,
-    anchor: Pos2,
-    mode: &Mode,
-    brief: bool,
-) {
-    let color = palette.mode(mode.naming.name);
-    let text = |text: String, font: FontId| painter.layout_no_wrap(text, font, color);
-    if !brief {
-        let name = text(mode.naming.name.text().to_owned(), theme::semibold(12.5));
-        let numbers = text(numbers(mode), FontId::proportional(11.0));
-        let size = Vec2::new(name.size().x.max(numbers.size().x), name.size().y + numbers.size().y);
-        if let Some(place) = placement.beside(anchor, size) {
-            let below = place.min + Vec2::new(0.0, name.size().y);
-            painter.galley(place.min, name, color);
-            painter.galley(below, numbers, color);
-            return;
+/// Where the labels of a map stood in the frame before, by the names of their modes.
+#[derive(Debug, Default)]
+pub struct Stood {
+    kept: Vec<(ModeName, Kept)>,
+    /// Whether nothing is under the hand, so that a label may go to a better place.
+    rests: bool,
+}
+
+/// The label of a mode at its place.
+#[derive(Debug)]
+struct Label {
+    mode: usize,
+    lines: Lines,
+    place: Place,
+}
+
+/// Lines of a label, one below the other.
+type Lines = Vec<Arc<Galley>>;
+
+fn extent(lines: &[Arc<Galley>]) -> Vec2 {
+    let below = |size: Vec2, line: &Arc<Galley>| Vec2::new(size.x.max(line.size().x), size.y + line.size().y);
+    lines.iter().fold(Vec2::ZERO, below)
+}
+
+impl Label {
+    /// Draws it, with its leader in `color`.
+    fn draw(&self, painter: &Painter, color: Color32) {
+        if let Some(leader) = self.place.leader {
+            painter.line_segment(leader, Stroke::new(1.0, color));
+        }
+        let mut at = self.place.rect.min;
+        for line in &self.lines {
+            painter.galley(at, line.clone(), color);
+            at.y += line.size().y;
         }
     }
-    let name = text(mode.naming.name.text().to_owned(), theme::semibold(11.5));
-    if let Some(place) = placement.beside(anchor, name.size()) {
-        painter.galley(place.min, name, color);
+}
+
+/// What a label can say, the most first: name and the two numbers that matter most, the name alone, the name in several lines.
+fn texts(painter: &Painter, palette: &Palette, mode: &Mode) -> Vec<Lines> {
+    let color = palette.mode_text(mode.naming.name);
+    let text = |text: String, font: FontId| painter.layout_no_wrap(text, font, color);
+    let name = mode.naming.name.text();
+    let numbers = text(numbers(mode), FontId::proportional(11.0));
+    let mut texts = vec![vec![text(name.to_owned(), theme::semibold(12.5)), numbers]];
+    let font = || theme::semibold(11.5);
+    let whole = text(name.to_owned(), font());
+    let width = whole.size().x;
+    texts.push(vec![whole]);
+    let longest = name.split(' ').map(|word| text(word.to_owned(), font()).size().x).fold(0.0, f32::max);
+    for narrow in [(0.62 * width).max(longest), longest] {
+        let wrapped = painter.layout(name.to_owned(), font(), color, narrow.ceil() + 1.0);
+        if wrapped.size().x < 0.9 * width {
+            texts.push(vec![wrapped]);
+        }
+    }
+    texts
+}
+
+/// The half of the map that a mode belongs to; of a neutral one both.
+fn half(chart: &Chart, mode: &Mode) -> Rect {
+    let boundary = chart.position(Complex::from(0.0)).x;
+    match mode.stability {
+        DynamicStability::Stable => Rect::everything_left_of(boundary),
+        DynamicStability::Unstable => Rect::everything_right_of(boundary),
+        DynamicStability::Neutral => Rect::EVERYTHING,
     }
 }
 
@@ -235,5 +347,143 @@ fn numbers(mode: &Mode) -> String {
         format!("{numbers} · unstable")
     } else {
         numbers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use egui::{Context, RawInput};
+
+    use super::*;
+    use crate::content::embedded_aircraft;
+    use crate::flight::plane::Plane;
+    use crate::scenario::{Parameter, Scenario};
+    use crate::ui::poles::range::MapRange;
+    use crate::ui::poles::{NAMES, slow_modes};
+    use crate::ui::theme::Look;
+
+    /// Both maps of a desk, a tablet, a phone and a whole page.
+    const SIZES: [[Vec2; 2]; 4] = [
+        [Vec2::new(236.0, 338.0), Vec2::new(155.0, 338.0)],
+        [Vec2::new(174.0, 280.0), Vec2::new(115.0, 280.0)],
+        [Vec2::new(216.0, 190.0), Vec2::new(144.0, 190.0)],
+        [Vec2::new(420.0, 700.0), Vec2::new(270.0, 700.0)],
+    ];
+
+    /// The labels of both maps are given to `check`, with the map and whether it is the one where the modes are at home.
+    fn each_map(scenario: &Scenario, check: impl Fn(&Map<'_>, &Chart, &[Label])) {
+        let analysis = scenario.analyse();
+        let Some(plane) = analysis.ok().and_then(|analysis| analysis.of(scenario.plane).cloned()?.ok())
+        else {
+            return;
+        };
+        let modes = &plane.modes;
+        let slow = slow_modes(modes);
+        let ctx = Context::default();
+        theme::install(&ctx);
+        for sizes in SIZES {
+            let draw = |ui: &mut Ui| {
+                let rects = sizes.map(|size| Rect::from_min_size(Pos2::new(7.0, 9.0), size));
+                let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
+                let all = (0..modes.len()).collect();
+                let maps = [
+                    Map { name: NAMES[0], rect: rects[0], ranged: all, home: fast, modes },
+                    Map { name: NAMES[1], rect: rects[1], ranged: slow.clone(), home: slow.clone(), modes },
+                ];
+                let charts = [0, 1].map(|i: usize| {
+                    MapRange::default().chart(ui, maps[i].wanted_view(), maps[i].plot_rect(), false)
+                });
+                for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
+                    let palette = Look::Light.palette();
+                    let mut placement = map.occupied(chart, &[]);
+                    grid::scale(ui.painter(), chart, palette, &mut placement);
+                    let inset = (i == 0).then_some(charts[1].view);
+                    let labels = map.labels(
+                        ui.painter(),
+                        palette,
+                        chart,
+                        &mut placement,
+                        inset,
+                        &mut Stood { rests: true, ..Stood::default() },
+                    );
+                    check(map, chart, &labels);
+                }
+            };
+            ctx.run_ui(RawInput::default(), draw).textures_delta.clear();
+        }
+    }
+
+    fn scenarios() -> Vec<Scenario> {
+        let mut scenarios = Vec::new();
+        for aircraft in embedded_aircraft().0 {
+            for plane in [Plane::Longitudinal, Plane::Lateral] {
+                let mut scenario = Scenario::new(Arc::new(aircraft.clone()));
+                scenario.plane = plane;
+                scenarios.push(scenario);
+            }
+        }
+        // Real roots that meet, and a growing one.
+        for cm_alpha in [0.3, 0.05, 0.0, -0.02, -0.05, -0.14] {
+            let mut scenario = scenarios[0].clone();
+            Parameter::find("cm_alpha").expect("a row").set(&mut scenario, cm_alpha);
+            scenarios.push(scenario);
+        }
+        scenarios
+    }
+
+    #[test]
+    fn every_label_is_nearer_to_its_own_pole_than_to_any_other_or_has_a_leader_to_it() {
+        let (with, without) = (Cell::new(0), Cell::new(0));
+        for scenario in scenarios() {
+            each_map(&scenario, |map, chart, labels| {
+                for label in labels {
+                    let name = map.modes[label.mode].naming.name.text();
+                    let nearest = |index: usize| {
+                        let poles = map.poles_on(chart, index).into_iter();
+                        poles.map(|pole| label.place.rect.distance_to_pos(pole)).fold(f32::INFINITY, f32::min)
+                    };
+                    let others = (0..map.modes.len()).filter(|i| *i != label.mode).map(nearest);
+                    let other = others.fold(f32::INFINITY, f32::min);
+                    let told = format!("{} {:?} {name}", scenario.aircraft.key, scenario.plane);
+                    match label.place.leader {
+                        None => {
+                            without.set(without.get() + 1);
+                            let own = nearest(label.mode);
+                            assert!(
+                                own < 20.0 && own < other,
+                                "{told}: {own} from its own, {other} from another"
+                            );
+                            let half = half(chart, &map.modes[label.mode]);
+                            assert!(half.contains_rect(label.place.rect), "{told}: in the other half");
+                        }
+                        Some([from, to]) => {
+                            with.set(with.get() + 1);
+                            let own = map.poles_on(chart, label.mode);
+                            let end = own.iter().map(|pole| pole.distance(to)).fold(f32::INFINITY, f32::min);
+                            assert!(end < 9.0, "{told}: the leader ends {end} from its pole");
+                            assert!(label.place.rect.expand(0.1).contains(from), "{told}");
+                        }
+                    }
+                }
+            });
+        }
+        assert!(without.get() > 5 * with.get(), "{} beside, {} with leaders", without.get(), with.get());
+    }
+
+    #[test]
+    fn every_mode_is_named_on_the_map_where_it_is_at_home() {
+        for scenario in scenarios() {
+            each_map(&scenario, |map, chart, labels| {
+                for &index in &map.home {
+                    let on_map = !map.poles_on(chart, index).is_empty();
+                    let named = labels.iter().any(|label| label.mode == index);
+                    let name = map.modes[index].naming.name.text();
+                    let told = format!("{} {:?} {name} {}", scenario.aircraft.key, scenario.plane, map.rect);
+                    assert!(named || !on_map, "{told}");
+                }
+            });
+        }
     }
 }

@@ -40,7 +40,7 @@ pub use drag::Hand;
 
 use self::chart::Chart;
 use self::drag::{Held, Outcome, place};
-use self::map::{CAPTION, Extras, Map};
+use self::map::{CAPTION, Extras, Map, Stood};
 use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
@@ -58,7 +58,7 @@ use crate::scenario::{Page, Parameter, Scenario};
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
 /// A narrower map has room for the first words of its name only.
 const NARROW: f32 = 230.0;
-/// A narrower one has no room for zoom buttons: keys and fingers do as well.
+/// A narrower one for its first word, beside the buttons.
 const NARROWEST: f32 = 130.0;
 /// A press of a zoom button or key.
 const ZOOM_STEP: f64 = 1.5;
@@ -86,6 +86,7 @@ pub struct PoleMap {
     pub choices: Choices,
     ranges: [MapRange; 2],
     trail: Trail,
+    stood: [Stood; 2],
     held: Option<Held>,
     outcome: Option<Outcome>,
     /// Both maps as they were on screen in the last frame, where the pointer is.
@@ -237,7 +238,7 @@ impl PoleMap {
                 inset: (i == 0).then_some(charts[1].view),
                 taken: taken.filter(|_| i == 0),
             };
-            map.draw(ui, palette, chart, &seen, extras);
+            map.draw(ui, palette, chart, &seen, extras, &mut self.stood[i]);
         }
         for response in poles.iter().filter(|response| response.has_focus()) {
             ui.painter().circle_stroke(response.rect.center(), 13.0, Stroke::new(2.0, palette.accent));
@@ -396,7 +397,8 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
     let layout = egui::Layout::right_to_left(egui::Align::Center);
     ui.scope_builder(UiBuilder::new().max_rect(row).layout(layout), |ui| {
         ui.spacing_mut().item_spacing.x = 1.0;
-        ui.spacing_mut().button_padding = Vec2::new(6.0, 0.0);
+        let narrow = map.rect.width() < NARROWEST;
+        ui.spacing_mut().button_padding = Vec2::new(if narrow { 4.0 } else { 6.0 }, 0.0);
         ui.spacing_mut().interact_size.y = CAPTION - 1.0;
         let weak = Palette::of(ui).weak;
         let mut pressed = |text: &str, does: &str| {
@@ -405,11 +407,10 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
                 ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
             response.on_hover_text(does).clicked()
         };
-        let roomy = map.rect.width() >= NARROWEST;
-        if roomy && pressed("+", "Zoom in") {
+        if pressed("+", "Zoom in") {
             range.zoom(chart, ZOOM_STEP, middle);
         }
-        if roomy && pressed("−", "Zoom out") {
+        if pressed("−", "Zoom out") {
             range.zoom(chart, 1.0 / ZOOM_STEP, middle);
         }
         if !range.is_fitted() && pressed("Fit", "Show all again") {
