@@ -25,12 +25,13 @@ struct Pane {
     view: AircraftView,
     playback: Playback,
     is_installed: bool,
+    is_one_mode: bool,
 }
 
 impl Pane {
     fn new(attitude: Attitude) -> Self {
         let (view, playback) = (AircraftView::default(), Playback::new(60.0));
-        Self { attitude, view, playback, is_installed: false }
+        Self { attitude, view, playback, is_installed: false, is_one_mode: false }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui) {
@@ -62,6 +63,7 @@ impl Pane {
             }),
             path: &path,
             moments: &moments,
+            is_one_mode: self.is_one_mode,
             note: Some("Phugoid alone, 8 × as large as it is"),
         };
         self.view.toolbar_ui(ui);
@@ -223,4 +225,28 @@ fn any_attitude_any_view_and_any_overlay_is_drawn_and_rests() {
             assert!(delay > Some(std::time::Duration::from_secs(1)), "{view:?}: {delay:?}");
         }
     }
+}
+
+#[test]
+fn one_mode_alone_is_drawn_without_the_forces_unless_a_person_chose_them() {
+    let mut harness = pane(BANKED);
+    let forces = |harness: &Harness<'static, Pane>| harness.state().view.overlays.forces;
+    let fly = |harness: &mut Harness<'static, Pane>, one_mode| {
+        harness.state_mut().is_one_mode = one_mode;
+        harness.run();
+    };
+    assert!(forces(&harness));
+    fly(&mut harness, true);
+    assert!(!forces(&harness));
+    fly(&mut harness, false);
+    assert!(forces(&harness));
+    fly(&mut harness, true);
+    harness.get_by_label("Shown on the picture").click();
+    harness.run();
+    harness.get_by_label("Forces").click();
+    harness.run();
+    assert!(forces(&harness));
+    fly(&mut harness, false);
+    fly(&mut harness, true);
+    assert!(forces(&harness), "the choice stands");
 }

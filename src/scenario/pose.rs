@@ -79,7 +79,7 @@ impl Flown<'_> {
     }
 
     /// Whether one mode is flown alone, and so may be exaggerated: of a linear motion only.
-    fn is_one_mode(&self) -> bool {
+    pub fn is_one_mode(&self) -> bool {
         matches!(self.motion.experiment.start, Start::Mode { .. }) && self.flight.is_none()
     }
 

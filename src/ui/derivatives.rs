@@ -49,7 +49,7 @@ pub struct Outlook<'a> {
 pub struct Chosen<'a> {
     /// The page.
     pub page: &'a mut Page,
-    /// Only those whose symbol or name has this in it.
+    /// Only those whose symbol or name has this in it, or what is said of them.
     pub search: &'a mut String,
 }
 
@@ -80,7 +80,6 @@ pub fn derivatives_ui(
         });
     });
     search_ui(ui, search);
-    let wanted = search.trim().to_lowercase();
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
     let mut touched = None;
@@ -88,8 +87,7 @@ pub fn derivatives_ui(
     let mut found = false;
     area.max_height(height).auto_shrink([false, rows == Rows::Dense]).show(ui, |ui| {
         for group in Group::DERIVATIVES {
-            let shown =
-                |p: &&Parameter| p.group == group && p.is_shown(scenario, *page) && is_wanted(p, &wanted);
+            let shown = |p: &&Parameter| p.group == group && is_listed(p, scenario, *page, search);
             let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
             if group_rows.is_empty() {
                 continue;
@@ -104,7 +102,10 @@ pub fn derivatives_ui(
             }
         }
         if !found {
-            let text = format!("No slider of this page has “{}” in its symbol or name.", search.trim());
+            let text = format!(
+                "No slider of this page has “{}” in its symbol, its name or what is said of it.",
+                search.trim()
+            );
             ui.label(RichText::new(text).font(theme::small()));
         }
     });
@@ -119,6 +120,7 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
         let width = ui.available_width() - if search.is_empty() { 0.0 } else { 26.0 };
         let field = TextEdit::singleline(search).hint_text(hint).desired_width(width).font(theme::small());
         let response = ui.add(field).accessible_name("Find a derivative");
+        theme::focus_frame(ui, &response);
         let pressed = ui.input(|input| input.key_pressed(SEARCH_KEY) && input.modifiers.is_none());
         if pressed && !ui.text_edit_focused() {
             response.request_focus();
@@ -135,11 +137,33 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
     });
 }
 
-/// Whether the symbol as plain text, with or without its underscore, or the name has the wanted letters in it.
+/// Whether a slider is in the list of a page with a search.
+pub fn is_listed(parameter: &Parameter, scenario: &Scenario, page: Page, search: &str) -> bool {
+    parameter.is_shown(scenario, page) && is_wanted(parameter, &search.trim().to_lowercase())
+}
+
+/// A search of fewer letters is for symbols and names only: it would be found in nearly every sentence.
+const FOR_SENTENCES: usize = 3;
+
+/// Whether the symbol as plain text, with or without its underscore, or the name has the wanted letters in it, or what is said
+/// of its meaning, sign and source has a word that begins with them.
 fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
     let symbol = Symbol::parse(parameter.symbol).plain().to_lowercase();
     let in_symbol = symbol.contains(wanted) || symbol.replace('_', "").contains(wanted);
-    in_symbol || parameter.key.contains(wanted) || parameter.name.to_lowercase().contains(wanted)
+    let begins_a_word = |text: &str| {
+        let text = text.to_lowercase();
+        let begins =
+            |(i, _): (usize, &str)| !text[..i].chars().next_back().is_some_and(char::is_alphanumeric);
+        text.match_indices(wanted).any(begins)
+    };
+    let in_sentences = || {
+        wanted.chars().count() >= FOR_SENTENCES
+            && [parameter.meaning, parameter.sign, parameter.origin].into_iter().any(begins_a_word)
+    };
+    in_symbol
+        || parameter.key.contains(wanted)
+        || parameter.name.to_lowercase().contains(wanted)
+        || in_sentences()
 }
 
 /// The name of a group, and its reset where something in it has been edited.

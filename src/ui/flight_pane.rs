@@ -105,6 +105,7 @@ impl FlightPane {
             forces: pose.forces.map(|[lift, weight, thrust, drag]| Forces { lift, weight, thrust, drag }),
             path: &path,
             moments: &moments,
+            is_one_mode: flown.is_one_mode(),
             note: note.as_deref(),
         };
         let width = ui.available_width();

@@ -3,7 +3,7 @@
 use egui::text::{CCursor, CCursorRange};
 use egui::{FontId, Id, Key, Response, TextEdit, Ui};
 
-use super::theme::Palette;
+use super::theme::{self, Palette};
 use crate::scenario::ValueError;
 
 /// What a person is typing, or has typed in vain.
@@ -51,6 +51,7 @@ pub fn number_field_ui(
         .char_limit(32)
         .show(ui);
     let mut response = output.response.response.accessible_name(name);
+    theme::focus_frame(ui, &response);
     if response.gained_focus() {
         let mut state = output.state;
         let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));

@@ -11,8 +11,8 @@ use crate::flight::plane::{Plane, PlaneModel};
 use crate::number::fixed;
 
 /// Room for the arrows and their symbols.
-const SIZE: Vec2 = Vec2::new(136.0, 116.0);
-const RADIUS: f32 = 36.0;
+const SIZE: Vec2 = Vec2::new(118.0, 108.0);
+const RADIUS: f32 = 30.0;
 /// Between the tip of an arrow and its symbol.
 const GAP: f32 = 4.0;
 /// Shorter arrows are told in numbers only.
@@ -44,7 +44,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
                         &Symbol::parse(phasor.symbol),
                         13.0,
                         palette.text,
-                        Some(34.0),
+                        Some(28.0),
                     );
                     ui.label(RichText::new(phasor.numbers()).font(theme::small()));
                 });
@@ -80,10 +80,10 @@ fn phasors(model: &PlaneModel, mode: &Mode) -> Vec<Phasor> {
 
 impl Phasor {
     fn numbers(&self) -> String {
-        if self.value.norm() < 5e-4 {
+        if self.value.norm() < 5e-3 {
             return "0".to_owned();
         }
-        format!("{} ∠ {}°", fixed(self.value.norm(), 3), fixed(self.value.arg().to_degrees(), 0))
+        format!("{} ∠ {}°", fixed(self.value.norm(), 2), fixed(self.value.arg().to_degrees(), 0))
     }
 
     fn words(&self) -> String {
@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn symbols_lie_on_no_arrow_on_no_other_symbol_and_inside_their_room() {
         let room = Rect::from_min_size(Pos2::new(10.0, 20.0), SIZE);
-        let size = Vec2::new(31.0, 17.0);
+        let size = Vec2::new(25.0, 16.0);
         // Four arrows of other lengths in directions all around, also where two or three nearly agree.
         for step in 0..360 {
             let angle =

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response, RichText,
-    Stroke, TextStyle, Theme, Ui, Vec2,
+    Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2,
 };
 
 use egui_plot::Plot;
@@ -39,6 +39,8 @@ pub fn install(ctx: &Context) {
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
         style.spacing.button_padding = Vec2::new(9.0, 5.0);
         style.spacing.interact_size.y = 26.0;
+        // Lists that open may be as tall as the page.
+        style.spacing.default_area_size.y = 1600.0;
         style.spacing.menu_margin = Margin::same(6);
         style.visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);
         style.interaction.selectable_labels = false;
@@ -115,6 +117,14 @@ pub fn still_plot<'a>(id: impl egui::AsIdSalt, rect: Rect) -> Plot<'a> {
         .allow_double_click_reset(false)
         .show_crosshair(false)
         .label_formatter(|_| None)
+}
+
+/// The outline of a text field that has focus: its own has the colour of chosen text, which is that of the field.
+pub fn focus_frame(ui: &Ui, field: &Response) {
+    if field.has_focus() {
+        let stroke = Stroke::new(1.5, Palette::of(ui).accent);
+        ui.painter().rect_stroke(field.rect, CornerRadius::same(6), stroke, StrokeKind::Inside);
+    }
 }
 
 /// A pane: white ground with a hairline.

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use egui::containers::menu::menu_style;
+use egui::style::{ScrollStyle, StyleModifier};
 use egui::{Align, Button, ComboBox, Layout, RichText, Ui};
 
 use super::app::{Action, Ghost};
@@ -61,7 +63,13 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     let now = &bar.scenario.aircraft;
     let chooser = ComboBox::from_id_salt("aircraft")
-        .height(560.0)
+        // As tall as the page; where that is not enough, a scroll bar says so before the pointer is there.
+        .height((ui.ctx().content_rect().bottom() - ui.max_rect().bottom() - 60.0).max(160.0))
+        .popup_style(StyleModifier::new(|style| {
+            menu_style(style);
+            style.spacing.scroll =
+                ScrollStyle { bar_width: 8.0, foreground_color: true, ..ScrollStyle::solid() };
+        }))
         .width(if bar.roomy { 330.0 } else { 190.0 })
         .truncate()
         .selected_text(if bar.roomy {

@@ -39,6 +39,8 @@ pub struct Picture<'a> {
     pub path: &'a [[f64; 3]],
     /// Moments to draw.
     pub moments: &'a [Moment<'a>],
+    /// Whether it flies in one mode alone: then its moments are what is to be seen.
+    pub is_one_mode: bool,
     /// A sentence on what is exaggerated, shown on the picture.
     pub note: Option<&'a str>,
 }

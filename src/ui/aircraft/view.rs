@@ -8,6 +8,7 @@ use egui::{
 };
 
 use super::camera::{Camera, StandardView};
+use super::labels::Silhouette;
 use super::landscape::Ground;
 use super::overlays::{Easel, Overlays};
 use super::picture::{Picture, finite};
@@ -33,6 +34,10 @@ pub struct AircraftView {
     pub camera: Camera,
     /// What is drawn over it.
     pub overlays: Overlays,
+    /// Whether one mode was flown alone in the frame before.
+    was_one_mode: bool,
+    /// Whether a person has ticked or unticked the forces.
+    forces_chosen: bool,
 }
 
 impl AircraftView {
@@ -52,9 +57,11 @@ impl AircraftView {
             // Stays open while boxes are ticked.
             let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
             let (menu, _) = MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
+                let forces = self.overlays.forces;
                 for (words, is_shown) in self.overlays.boxes() {
                     ui.checkbox(is_shown, words);
                 }
+                self.forces_chosen |= self.overlays.forces != forces;
             });
             menu.accessible_name("Shown on the picture").on_hover_text("What is drawn over the aircraft");
         });
@@ -67,6 +74,13 @@ impl AircraftView {
     pub fn show(&mut self, ui: &mut Ui, picture: &Picture<'_>) -> Response {
         let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         self.steer(ui, &response);
+        // The forces would hide what a mode does; but what a person has chosen stands.
+        if picture.is_one_mode != self.was_one_mode {
+            self.was_one_mode = picture.is_one_mode;
+            if !self.forces_chosen {
+                self.overlays.forces = !picture.is_one_mode;
+            }
+        }
         if ui.is_rect_visible(pane) {
             self.draw(ui, pane, picture);
             if response.has_focus() {
@@ -126,7 +140,9 @@ impl AircraftView {
             Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
         let (beyond, before) = if self.overlays.path { easel.path() } else { Default::default() };
         painter.add(Shape::mesh(beyond));
-        painter.add(Shape::mesh(airframe::kept_mesh(ui, picture, &rotation, &lens, palette)));
+        let airframe = airframe::kept_mesh(ui, picture, &rotation, &lens, palette);
+        let silhouette = Silhouette::of(&airframe, pane);
+        painter.add(Shape::mesh(airframe));
         painter.add(Shape::mesh(before));
         easel.draw(&self.overlays);
 
@@ -144,7 +160,7 @@ impl AircraftView {
             taken.push(note_ui(&painter, pane, note, palette));
         }
         let Easel { labels, .. } = easel;
-        labels.paint(&painter, pane, &taken, palette);
+        labels.paint(&painter, pane, &taken, &silhouette, palette);
     }
 }
 

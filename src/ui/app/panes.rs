@@ -6,7 +6,7 @@ use super::{Action, App, Ghost, View};
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::scenario::{Flown, Page, Parameter, Scenario, Source, parameters};
-use crate::ui::derivatives::{Chosen, Outlook, Rows, derivatives_ui};
+use crate::ui::derivatives::{Chosen, Outlook, Rows, derivatives_ui, is_listed};
 use crate::ui::memo::{Followed, Memo};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, units_warning, verdicts_ui};
 use crate::ui::poles::Seen;
@@ -30,9 +30,9 @@ impl App {
             derivatives_ui(ui, &mut self.scenario, Chosen { page, search }, rows, outlook)
         };
         self.view.explained = self.view.touched.unwrap_or(self.view.explained);
-        let (page, scenario) = (self.view.page, &self.scenario);
-        if !Parameter::find(self.view.explained).is_some_and(|p| p.is_shown(scenario, page)) {
-            let first = parameters().find(|p| p.is_shown(scenario, page));
+        let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, &self.view.search);
+        if Parameter::find(self.view.explained).filter(listed).is_none() {
+            let first = parameters().find(listed);
             self.view.explained = first.map_or("", |p| p.key);
         }
         if rows == Rows::Dense {
