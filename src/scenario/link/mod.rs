@@ -130,9 +130,14 @@ fn write_disturbance(scenario: &Scenario, pieces: &mut Vec<(String, String)>) {
             pieces.push((format!("{}.mode", words::plane(plane)), (choice.mode + 1).to_string()));
         }
     }
+    let disturbance = &scenario.disturbance;
     for p in parameters().filter(|p| p.page == Page::Disturbance) {
-        if p.get(scenario) != p.get(&reference) {
-            pieces.push((p.key.to_owned(), number::write(p.get(scenario), unit(p))));
+        let is_time = p.key == words::TIME;
+        // A time that stays is always told: without a word it follows.
+        let stays = is_time && !disturbance.follows;
+        if p.get(scenario) != p.get(&reference) || stays {
+            let key = if is_time && disturbance.follows { words::FOLLOWS } else { p.key };
+            pieces.push((key.to_owned(), number::write(p.get(scenario), unit(p))));
         }
     }
 }
@@ -260,13 +265,24 @@ fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
         choice.gust_shape = gust.unwrap_or(choice.gust_shape);
         choice.mode = mode.unwrap_or(choice.mode);
     }
+    if let Some(time) = Parameter::find(words::TIME)
+        && let Some(value) = read_number(pieces, words::FOLLOWS, time, scenario)
+    {
+        time.set(scenario, value);
+        scenario.disturbance.follows = true;
+    }
     for p in parameters().filter(|p| p.page == Page::Disturbance) {
-        let Some(text) = pieces.take(p.key) else { continue };
-        let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
-        if let Some(value) = pieces.accept(p.key, p, accepted) {
+        if let Some(value) = read_number(pieces, p.key, p, scenario) {
             p.set(scenario, value);
         }
     }
+}
+
+/// The number of a key, where there is one that the parameter accepts \[SI\].
+fn read_number(pieces: &mut Pieces, key: &str, p: &Parameter, scenario: &Scenario) -> Option<f64> {
+    let text = pieces.take(key)?;
+    let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
+    pieces.accept(key, p, accepted)
 }
 
 fn read_ghost(pieces: &mut Pieces, scene: &Scenario, aircraft: &[Arc<Aircraft>]) -> Option<Scenario> {

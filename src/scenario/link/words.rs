@@ -9,6 +9,12 @@ pub(super) const ADDED: &str = "add.";
 /// Before the keys of the pinned state.
 pub(super) const PINNED: &str = "pin.";
 
+/// The parameter of the time shown: with a value it stays.
+pub(super) const TIME: &str = "time";
+
+/// The time shown, where it follows the slowest mode that is seen: its value at present.
+pub(super) const FOLLOWS: &str = "follows";
+
 /// In which way the response is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tab {

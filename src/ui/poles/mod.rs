@@ -44,7 +44,6 @@ use self::map::{CAPTION, Extras, Map};
 use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
-use super::axis_range::round_up;
 use super::memo::Memo;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
@@ -52,7 +51,7 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::locus::Locus;
 use crate::flight::modes::Mode;
-use crate::number::significant;
+use crate::number::{round_up, significant};
 use crate::scenario::{Page, Parameter, Scenario};
 
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];

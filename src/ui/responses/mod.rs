@@ -20,7 +20,6 @@ use crate::number::significant;
 use crate::scenario::link::Tab;
 use crate::scenario::{Quantity, Scenario};
 
-pub use disturbance::seen_in;
 pub use studied::Studied;
 
 /// The pane as a person has set it up; nothing of it is studied.
