@@ -13,11 +13,13 @@
 mod notice;
 mod number;
 mod pieces;
+mod sight;
 mod words;
 
 use std::sync::Arc;
 
 pub use notice::Notice;
+pub use sight::{Details, Marks, Overlays, Pane, Sight, Viewpoint};
 pub use words::Tab;
 
 use super::{Page, Parameter, Scenario, Shape, parameters};
@@ -42,6 +44,8 @@ pub struct LinkView {
     pub nonlinear: bool,
     /// The pinned state. Its disturbance and plane are those of the scene.
     pub ghost: Option<Scenario>,
+    /// What is shown in the panes, and from where.
+    pub sight: Sight,
 }
 
 /// What a link leads to.
@@ -58,7 +62,13 @@ pub struct Opened {
 impl LinkView {
     /// The view that a link without a word about it leads to.
     pub fn of(scenario: &Scenario) -> Self {
-        Self { page: Page::of(scenario), tab: Tab::default(), nonlinear: false, ghost: None }
+        Self {
+            page: Page::of(scenario),
+            tab: Tab::default(),
+            nonlinear: false,
+            ghost: None,
+            sight: Sight::default(),
+        }
     }
 }
 
@@ -86,6 +96,7 @@ pub fn write(scenario: &Scenario, view: &LinkView) -> String {
     {
         pieces.push(("flight".to_owned(), word.to_owned()));
     }
+    pieces.extend(view.sight.write());
     if let Some(ghost) = &view.ghost {
         write_aircraft(ghost, words::PINNED, &mut pieces);
     }
@@ -170,7 +181,8 @@ pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
     read_plane(&mut pieces, &mut scenario);
     read_disturbance(&mut pieces, &mut scenario);
     let ghost = read_ghost(&mut pieces, &scenario, aircraft);
-    let mut view = LinkView { ghost, ..LinkView::of(&scenario) };
+    let sight = Sight::read(&mut pieces);
+    let mut view = LinkView { ghost, sight, ..LinkView::of(&scenario) };
     if let Some(page) = pieces.take_word("page", &words::PAGES) {
         if page.is_of(&scenario) {
             view.page = page;

@@ -12,12 +12,11 @@ use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::link::{self, LinkView};
+use crate::scenario::link::{self, Details, LinkView, Pane, Sight};
 use crate::scenario::{Choice, Disturbance, Page, Scenario, Source, seen_in};
 use crate::ui::flight_pane::FlightPane;
-use crate::ui::keys::{self, Command, Pane};
+use crate::ui::keys::{self, Command};
 use crate::ui::memo::Memo;
-use crate::ui::mode_cards::Details;
 use crate::ui::poles::{Hand, PoleMap};
 use crate::ui::responses::Responses;
 use crate::ui::share::Share;
@@ -196,7 +195,30 @@ impl App {
         let page = if self.view.page.is_of(&self.scenario) { self.view.page } else { usual.page };
         let ghost = self.ghost.as_ref().map(|ghost| self.compared(ghost));
         let Responses { tab, nonlinear, .. } = self.view.responses;
-        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost })
+        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost, sight: self.sight() })
+    }
+
+    /// How the scene is looked at, as far as a link carries it.
+    fn sight(&self) -> Sight {
+        let View { poles, responses, flight, maximised, details, .. } = &self.view;
+        let mut sight = Sight {
+            marks: poles.choices.marks,
+            details: *details,
+            maximised: *maximised,
+            ..Sight::default()
+        };
+        responses.sight(&mut sight);
+        flight.sight(&mut sight);
+        sight
+    }
+
+    fn look(&mut self, sight: &Sight) {
+        let View { poles, responses, flight, maximised, details, .. } = &mut self.view;
+        poles.choices.marks = sight.marks;
+        *details = sight.details;
+        *maximised = sight.maximised;
+        responses.look(sight);
+        flight.look(sight);
     }
 
     /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
@@ -210,7 +232,13 @@ impl App {
         self.view.page = opened.view.page;
         self.view.responses.tab = opened.view.tab;
         self.view.responses.nonlinear = opened.view.nonlinear;
+        self.look(&opened.view.sight);
         self.view.before_flight = [None; 2];
+        // Before anyone asks for the link: it is to change by what a person does only.
+        self.memo.refresh(&self.scenario, self.view.page);
+        if let Some(plane) = self.memo.plane() {
+            self.scenario.follow(plane);
+        }
         self.share.opened(opened.notices);
     }
 

@@ -211,7 +211,7 @@ impl PoleMap {
         let boundaries: Vec<Boundary> = seen
             .scenario
             .task()
-            .filter(|_| self.choices.levels)
+            .filter(|_| self.choices.marks.levels)
             .map_or_else(Vec::new, |task| level_boundaries(seen.plane, task));
         let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, &boundaries);
         let focused = poles.iter().position(Response::has_focus).and_then(|k| {
@@ -228,7 +228,7 @@ impl PoleMap {
         for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
             let extras = Extras {
                 trail: &self.trail,
-                approximations: self.choices.approximations,
+                approximations: self.choices.marks.approximations,
                 boundaries: &boundaries,
                 held: self.held.as_ref().filter(|held| held.map == i),
                 outcome: self.outcome.as_ref(),
@@ -268,7 +268,7 @@ impl PoleMap {
         let map = grounds.iter().position(|ground| ground.hover_pos().is_some())?;
         let at = grounds[map].hover_pos()?;
         let here = maps[map].boundaries(boundaries);
-        let near = near(&charts[map], seen, self.choices.approximations, here, at, reach(ui))?;
+        let near = near(&charts[map], seen, self.choices.marks.approximations, here, at, reach(ui))?;
         if let Near::Pole(index) = near {
             ui.set_cursor_icon(if self.held.is_some() { CursorIcon::Grabbing } else { CursorIcon::Grab });
             self.choices.subject = Some(seen.plane.modes[index].naming.name);
