@@ -226,7 +226,9 @@ fn the_camera_and_the_quantities_are_in_the_link_and_undo_leaves_them_alone() {
 fn a_damaged_view_is_told_and_left_as_it_opens() {
     let mut harness = page(WIDE);
     open(&mut harness, "v=1&ac=navion&camera=cockpit&lon.show=u.nothing&pane=all");
-    for sentence in ["“camera=cockpit” was left out", "“lon.show=u.nothing” was left out", "“pane=all” was left out"] {
+    for sentence in
+        ["“camera=cockpit” was left out", "“lon.show=u.nothing” was left out", "“pane=all” was left out"]
+    {
         harness.get_by_label_contains(sentence);
     }
     assert_eq!(app(&mut harness).link(), "v=1&ac=navion");

@@ -7,6 +7,7 @@ mod axis_range;
 mod derivatives;
 mod flight_pane;
 mod fonts;
+mod kept;
 mod keys;
 mod memo;
 mod mode_cards;
