@@ -74,6 +74,15 @@ const MODIFIERS: [Modifiers; 5] = [
 
 const PAGES: [&str; 3] = ["coefficients", "dimensional", "matrix"];
 const TABS: [&str; 4] = ["time", "phase", "frequency", "figures"];
+/// How the panes are looked at.
+const SIGHTS: [&str; 6] = [
+    "",
+    "&follows=250",
+    "&pane=response&split=modes",
+    "&camera=-40.12.140&drawn=earth.rates&rate=4&loop=off",
+    "&lon.show=nz.x&lat.show=y.v&lon.phase=h.x.u.u&lat.frequency_of=ny",
+    "&marks=approximations.levels&details=shape.levels.approximations",
+];
 
 /// The same numbers on every machine.
 struct Dice(ChaCha8Rng);
@@ -370,7 +379,9 @@ impl Visit {
         let plane = self.dice.of(&["lon", "lat"]);
         let (page, tab) = (self.dice.of(&PAGES), self.dice.of(&TABS));
         let flight = self.dice.of(&["linear", "nonlinear"]);
-        let link = format!("v=1&ac={}&plane={plane}&page={page}&tab={tab}&flight={flight}", self.aircraft[i]);
+        let seen = self.dice.of(&SIGHTS);
+        let link =
+            format!("v=1&ac={}&plane={plane}&page={page}&tab={tab}&flight={flight}{seen}", self.aircraft[i]);
         self.page.state_mut().as_mut().expect("the page has been drawn").open(&link);
     }
 

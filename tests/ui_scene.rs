@@ -187,16 +187,30 @@ fn a_link_is_one_step_and_undo_brings_back_the_pinned_state_before_it() {
     assert_eq!(link(&mut harness), before);
 }
 
+/// One fine step of a slider.
+fn nudge(harness: &mut Page) {
+    harness.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").focus();
+    harness.run_steps(2);
+    harness.key_press(Key::ArrowRight);
+    harness.run_steps(2);
+}
+
+#[test]
+fn what_was_undone_is_gone_once_something_is_pinned() {
+    let mut harness = page("v=1&ac=navion");
+    nudge(&mut harness);
+    pause(&mut harness);
+    press(&mut harness, "Undo");
+    press(&mut harness, PIN);
+    let pinned = link(&mut harness);
+    press(&mut harness, "Redo");
+    assert_eq!(link(&mut harness), pinned);
+}
+
 /// A pin between two edits in quick succession is a step between them.
 #[test]
 fn a_pin_is_a_step_of_its_own_whatever_is_edited_around_it() {
     let mut harness = page("v=1&ac=navion");
-    let nudge = |harness: &mut Page| {
-        harness.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").focus();
-        harness.run_steps(2);
-        harness.key_press(Key::ArrowRight);
-        harness.run_steps(2);
-    };
     nudge(&mut harness);
     let edited = link(&mut harness);
     assert_ne!(edited, "v=1&ac=navion");
