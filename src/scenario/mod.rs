@@ -29,7 +29,7 @@ pub use quantity::Quantity;
 pub use window::seen_in;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Scenario {
     /// The aircraft as its file has it: the reference of every slider.
     pub aircraft: Arc<Aircraft>,
@@ -39,6 +39,17 @@ pub struct Scenario {
     pub plane: Plane,
     /// What disturbs it, and for how long it is watched.
     pub disturbance: Disturbance,
+}
+
+/// Compared many times in every frame, nearly always with one of the same aircraft.
+impl PartialEq for Scenario {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { aircraft, edited, plane, disturbance } = self;
+        *plane == other.plane
+            && *disturbance == other.disturbance
+            && *edited == other.edited
+            && (Arc::ptr_eq(aircraft, &other.aircraft) || *aircraft == other.aircraft)
+    }
 }
 
 impl Scenario {
