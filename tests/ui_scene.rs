@@ -25,7 +25,7 @@ fn page(link: &'static str) -> Page {
         },
         None,
     );
-    harness.run_steps(90);
+    harness.run_steps(10);
     harness
 }
 
@@ -52,7 +52,7 @@ fn press(harness: &mut Page, label: &str) {
 
 /// Long enough for an edit to be a step of its own.
 fn pause(harness: &mut Page) {
-    harness.run_steps(90);
+    harness.run_steps(10);
 }
 
 fn type_time(harness: &mut Page, text: &str) {
