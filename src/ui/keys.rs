@@ -3,17 +3,7 @@
 use egui::{Grid, Key, Modal, Modifiers, RichText, Ui};
 
 use super::theme::{self, Palette};
-
-/// A pane that can take the whole page.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pane {
-    /// The pole map.
-    Poles,
-    /// The aircraft in flight.
-    Aircraft,
-    /// The responses.
-    Response,
-}
+use crate::scenario::link::Pane;
 
 impl Pane {
     /// The words on screen.

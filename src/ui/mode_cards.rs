@@ -16,6 +16,7 @@ use crate::flight::plane::Plane;
 use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict};
 use crate::number::significant;
 use crate::scenario::Dimension;
+use crate::scenario::link::Details;
 
 /// The verdicts: dynamic, then static, each with its numbers.
 pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
@@ -140,14 +141,6 @@ pub fn units_warning(analysis: &Analysis) -> Option<String> {
         significant(gravity.rate, 2),
         significant(gravity.expected_rate, 2),
     ))
-}
-
-/// Which details the cards show, of all modes alike, so that modes can be compared.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Details {
-    shape: bool,
-    levels: bool,
-    approximations: bool,
 }
 
 /// One mode with what belongs on its card.

@@ -9,9 +9,10 @@ use egui::{
 
 use super::camera::{Camera, StandardView};
 use super::landscape::Ground;
-use super::overlays::{Easel, Overlays};
+use super::overlays::Easel;
 use super::picture::{Picture, finite};
 use super::{airframe, landscape};
+use crate::scenario::link::Overlays;
 use crate::shape::Point;
 use crate::ui::theme::{self, Palette};
 

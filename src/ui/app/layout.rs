@@ -5,8 +5,8 @@ use egui::{
 };
 
 use super::{Action, App, PhonePane};
+use crate::scenario::link::Pane;
 use crate::ui::derivatives::Rows;
-use crate::ui::keys::Pane;
 use crate::ui::theme::{self, Palette};
 
 /// From this width on two panes of a tablet stand beside each other.

@@ -41,12 +41,15 @@ impl App {
     }
 
     pub(super) fn ghost_memo_refresh(&mut self) {
-        if let Some(ghost) = &mut self.ghost {
-            // Compared is what the same disturbance does to both.
-            ghost.scenario.disturbance = self.scenario.disturbance;
-            ghost.scenario.plane = self.scenario.plane;
-            self.ghost_memo.refresh(&ghost.scenario, Page::Disturbance);
+        if let Some(ghost) = &self.ghost {
+            self.ghost_memo.refresh(&self.compared(ghost), Page::Disturbance);
         }
+    }
+
+    /// A pinned state as it is compared: what the same disturbance does to both.
+    pub(super) fn compared(&self, ghost: &Ghost) -> Scenario {
+        let Scenario { disturbance, plane, .. } = self.scenario;
+        Scenario { disturbance, plane, ..ghost.scenario.clone() }
     }
 
     pub(super) fn aircraft_ui(&mut self, ui: &mut Ui) {
@@ -77,7 +80,7 @@ impl App {
         self.memo.refresh(&self.scenario, self.view.page);
         let touched = self.view.touched.and_then(Parameter::find);
         self.memo.refresh_locus(&self.scenario, touched);
-        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        let ghost = ghost_modes(self.ghost.as_deref(), &self.ghost_memo);
         match self.memo.plane() {
             Some(plane) => {
                 let locus = touched.zip(self.memo.locus());
@@ -104,9 +107,9 @@ impl App {
         if view.responses.shows_flight() {
             memo.refresh_flight();
         }
-        match studied(scenario, memo) {
+        match studied(memo) {
             Some(now) => {
-                let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
+                let ghost = ghost.as_ref().and_then(|_| studied(ghost_memo));
                 view.responses.show(ui, now, ghost, rows);
             }
             None => problem_ui(ui, memo.followed(), scenario.plane),
@@ -144,7 +147,7 @@ impl App {
     pub(super) fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
         self.memo.refresh(&self.scenario, self.view.page);
         let Some(analysed) = self.memo.plane() else { return };
-        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        let ghost = ghost_modes(self.ghost.as_deref(), &self.ghost_memo);
         let choice = *self.scenario.disturbance.choice(self.scenario.plane);
         let last = analysed.modes.len().saturating_sub(1);
         let mut asked = None;
@@ -168,8 +171,13 @@ fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> 
     memo.plane().map(|plane| plane.modes.as_slice())
 }
 
-fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
-    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes, flight: memo.flight() })
+fn studied(memo: &Memo) -> Option<Studied<'_>> {
+    Some(Studied {
+        scenario: memo.scenario()?,
+        motion: memo.motion()?,
+        modes: &memo.plane()?.modes,
+        flight: memo.flight(),
+    })
 }
 
 /// Why there is nothing to draw.

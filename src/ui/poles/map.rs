@@ -10,8 +10,7 @@ use super::trail::Trail;
 use super::{NARROW, Seen, boundaries, grid, marks};
 use crate::flight::level_boundaries::Boundary;
 use crate::flight::modes::{DynamicStability, Mode};
-use crate::number::{fixed, significant};
-use crate::ui::axis_range::round_up;
+use crate::number::{fixed, round_up, significant};
 use crate::ui::theme::{self, Palette};
 
 /// Room above a map for its name and its buttons.

@@ -44,7 +44,6 @@ use self::map::{CAPTION, Extras, Map};
 use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
-use super::axis_range::round_up;
 use super::memo::Memo;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
@@ -52,7 +51,7 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::locus::Locus;
 use crate::flight::modes::Mode;
-use crate::number::significant;
+use crate::number::{round_up, significant};
 use crate::scenario::{Page, Parameter, Scenario};
 
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
@@ -212,7 +211,7 @@ impl PoleMap {
         let boundaries: Vec<Boundary> = seen
             .scenario
             .task()
-            .filter(|_| self.choices.levels)
+            .filter(|_| self.choices.marks.levels)
             .map_or_else(Vec::new, |task| level_boundaries(seen.plane, task));
         let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, &boundaries);
         let focused = poles.iter().position(Response::has_focus).and_then(|k| {
@@ -229,7 +228,7 @@ impl PoleMap {
         for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
             let extras = Extras {
                 trail: &self.trail,
-                approximations: self.choices.approximations,
+                approximations: self.choices.marks.approximations,
                 boundaries: &boundaries,
                 held: self.held.as_ref().filter(|held| held.map == i),
                 outcome: self.outcome.as_ref(),
@@ -269,7 +268,7 @@ impl PoleMap {
         let map = grounds.iter().position(|ground| ground.hover_pos().is_some())?;
         let at = grounds[map].hover_pos()?;
         let here = maps[map].boundaries(boundaries);
-        let near = near(&charts[map], seen, self.choices.approximations, here, at, reach(ui))?;
+        let near = near(&charts[map], seen, self.choices.marks.approximations, here, at, reach(ui))?;
         if let Near::Pole(index) = near {
             ui.set_cursor_icon(if self.held.is_some() { CursorIcon::Grabbing } else { CursorIcon::Grab });
             self.choices.subject = Some(seen.plane.modes[index].naming.name);

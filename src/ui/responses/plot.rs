@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use egui::{Align2, Color32, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
 use egui_plot::{HLine, Line, LineStyle, PlotPoint, PlotPoints, Points, Span, VLine};
 
-use crate::number::significant;
-use crate::ui::axis_range::{AxisRange, round_up};
+use crate::number::{round_up, significant};
+use crate::ui::axis_range::AxisRange;
 use crate::ui::responses::thin::thin;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};

@@ -9,6 +9,7 @@ use crate::content::LengthUnit;
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::Quantity;
+use crate::scenario::link::Sight;
 use crate::ui::derivatives::Rows;
 use crate::ui::theme::Palette;
 
@@ -20,9 +21,9 @@ const GAP: Vec2 = Vec2::new(12.0, 6.0);
 #[derive(Debug)]
 pub struct TimePlots {
     /// What is shown, of each plane.
-    chosen: [Vec<Output>; 2],
+    pub chosen: [Vec<Output>; 2],
     /// Whether the parts of the modes are shown.
-    split: bool,
+    pub split: bool,
     plots: Vec<SmallPlot>,
     /// Time under the pointer \[s\].
     hovered: Option<f64>,
@@ -32,16 +33,8 @@ pub struct TimePlots {
 
 impl Default for TimePlots {
     fn default() -> Self {
-        let first = |plane| Output::of(plane)[..5].to_vec();
-        let mut longitudinal = first(Plane::Longitudinal);
-        longitudinal[4] = Output::Height;
-        Self {
-            chosen: [longitudinal, first(Plane::Lateral)],
-            split: false,
-            plots: Vec::new(),
-            hovered: None,
-            played: None,
-        }
+        let Sight { shown, split, .. } = Sight::default();
+        Self { chosen: shown, split, plots: Vec::new(), hovered: None, played: None }
     }
 }
 
