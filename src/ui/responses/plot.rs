@@ -16,6 +16,10 @@ const GUTTER: Vec2 = Vec2::new(36.0, 14.0);
 /// Least distance of the figures on either axis.
 const APART: Vec2 = Vec2::new(64.0, 34.0);
 
+/// Points of a curve are drawn that are at least so far apart \[points\]: what a third point in the same place does to a
+/// line, GPUs don't agree on.
+const TOGETHER: f64 = 0.02;
+
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stroke {
@@ -47,6 +51,14 @@ pub struct Curve {
 impl Curve {
     fn drawn_part(&self) -> &[PlotPoint] {
         &self.points[..self.points.len().min(self.drawn)]
+    }
+
+    /// The drawn part without points that lie on the one before, where an axis has so many points of the screen a unit.
+    fn apart(&self, [across, upward]: [f64; 2]) -> Vec<PlotPoint> {
+        let mut points = self.drawn_part().to_vec();
+        points
+            .dedup_by(|next, last| ((next.x - last.x) * across).hypot((next.y - last.y) * upward) < TOGETHER);
+        points
     }
 }
 
@@ -167,8 +179,15 @@ fn draw(
 ) -> egui::Response {
     let palette = Palette::of(ui);
     let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x) };
-    let vertical = marks(&y, rect.height(), APART.y);
+    let mut vertical = marks(&y, rect.height(), APART.y);
+    if vertical.len() < 2 {
+        // One figure alone gives no scale.
+        vertical = marks(&y, rect.height(), 0.5 * APART.y);
+    }
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
+    let scale = [(rect.width(), &x), (rect.height(), &y)]
+        .map(|(length, range)| f64::from(length) / (range.end() - range.start()));
+    let lines: Vec<Vec<PlotPoint>> = picture.curves.iter().map(|curve| curve.apart(scale)).collect();
     let id = Id::unique((picture.symbol, picture.unit, picture.against.0));
     let plot = ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
         theme::still_plot(id, rect).show(ui, |plot| {
@@ -188,8 +207,8 @@ fn draw(
                 plot.hline(HLine::new("", 0.0).color(palette.ghost).width(1.0).allow_hover(false));
             }
             // The first is drawn last, on top.
-            for curve in picture.curves.iter().rev() {
-                let line = Line::new(curve.name, PlotPoints::Borrowed(curve.drawn_part())).color(curve.color);
+            for (curve, points) in picture.curves.iter().zip(&lines).rev() {
+                let line = Line::new(curve.name, PlotPoints::Borrowed(points)).color(curve.color);
                 let line = match curve.stroke {
                     Stroke::Full => line.width(1.8).allow_band(false),
                     Stroke::Part => line.width(1.3).fill(0.0).fill_alpha(0.12),
@@ -252,7 +271,9 @@ fn tick_labels(ui: &Ui, rect: Rect, (x, horizontal): Axis<'_>, (y, vertical): Ax
         ((value - range.start()) / (range.end() - range.start())) as f32
     };
     for mark in vertical {
-        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - fraction(y, mark.value) * rect.height());
+        // At the very bottom a little higher, above the first figure of the other axis.
+        let height = (fraction(y, mark.value) * rect.height()).max(5.0);
+        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - height);
         ui.painter().text(at, Align2::RIGHT_CENTER, &mark.label, font.clone(), palette.weak);
     }
     for mark in horizontal {
