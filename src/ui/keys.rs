@@ -1,6 +1,6 @@
 //! The keys of the page, in one table: what they do is read from here, and so is the sheet that lists them.
 
-use egui::{Grid, Key, Modal, Modifiers, RichText, Ui};
+use egui::{Grid, Key, Modal, Modifiers, RichText, ScrollArea, Ui};
 
 use super::theme::{self, Palette};
 use crate::scenario::link::Pane;
@@ -124,13 +124,18 @@ pub fn sheet_ui(ui: &Ui) -> bool {
         ui.set_max_width(460.0);
         theme::heading(ui, RichText::new("Keys").heading().size(16.0), 2);
         let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
-        Grid::new("keys").spacing([18.0, 1.0]).show(ui, |ui| {
+        let rows = |ui: &mut Ui| {
             for (keys, text) in own.chain(OF_CONTROLS) {
                 ui.label(RichText::new(keys).font(theme::semibold(12.0)));
                 ui.label(text);
                 ui.end_row();
             }
-        });
+        };
+        // In a low window they scroll, between the heading and the button.
+        let room = ui.content_rect().height() - 150.0;
+        ScrollArea::vertical()
+            .max_height(room)
+            .show(ui, |ui| Grid::new("keys").spacing([18.0, 1.0]).show(ui, rows));
         ui.add_space(4.0);
         let note = "The scroll wheel never changes a number. On a Mac, Ctrl is the command key.";
         ui.label(RichText::new(note).font(theme::small()).color(palette.weak));

@@ -2,6 +2,7 @@
 
 use egui::accesskit::Role;
 use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::style::StyleModifier;
 use egui::{
     Align2, CornerRadius, EventFilter, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke,
     StrokeKind, Ui, Vec2, WidgetInfo,
@@ -50,8 +51,9 @@ impl AircraftView {
                     self.camera = view.camera();
                 }
             }
-            // Stays open while boxes are ticked.
-            let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+            // Stays open while boxes are ticked. They have their outline, which the style of menus takes away.
+            let config = MenuConfig::new().style(StyleModifier::default());
+            let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
             let (menu, _) = MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
                 for (words, is_shown) in self.overlays.boxes() {
                     ui.checkbox(is_shown, words);

@@ -136,12 +136,16 @@ impl Map<'_> {
             });
         };
         self.modes.iter().for_each(|mode| clear(mode.lambda));
+        seen.ghost.into_iter().flatten().for_each(|mode| clear(mode.lambda));
         approximated().for_each(|(_, root)| clear(root));
         // No label across the stability boundary.
         let origin = chart.position(Complex::from(0.0));
         placement.keep_clear(Rect::from_center_size(origin, Vec2::new(2.0, 4.0 * rect.height())));
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
         boundaries::keep_clear(chart, &mut placement, home());
+        if let Some((_, locus)) = seen.locus {
+            marks::shun_path(chart, &mut placement, locus);
+        }
         for mode in self.modes {
             let anchor = chart.position(mode.lambda);
             if rect.contains(anchor) {

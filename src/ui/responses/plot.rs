@@ -168,7 +168,11 @@ fn draw(
 ) -> egui::Response {
     let palette = Palette::of(ui);
     let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x) };
-    let vertical = marks(&y, rect.height(), APART.y);
+    let mut vertical = marks(&y, rect.height(), APART.y);
+    if vertical.len() < 2 {
+        // One figure alone gives no scale.
+        vertical = marks(&y, rect.height(), 0.5 * APART.y);
+    }
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
     let scale = rect.size() / Vec2::new((x.end() - x.start()) as f32, (y.end() - y.start()) as f32);
     let id = Id::unique((picture.symbol, picture.unit, picture.against.0));
@@ -255,7 +259,9 @@ fn tick_labels(ui: &Ui, rect: Rect, (x, horizontal): Axis<'_>, (y, vertical): Ax
         ((value - range.start()) / (range.end() - range.start())) as f32
     };
     for mark in vertical {
-        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - fraction(y, mark.value) * rect.height());
+        // At the very bottom a little higher, above the first figure of the other axis.
+        let height = (fraction(y, mark.value) * rect.height()).max(5.0);
+        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - height);
         ui.painter().text(at, Align2::RIGHT_CENTER, &mark.label, font.clone(), palette.weak);
     }
     for mark in horizontal {

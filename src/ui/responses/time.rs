@@ -1,5 +1,7 @@
 //! The motion over time: small multiples on one time axis with one cursor, whole or split into its modes.
 
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::style::StyleModifier;
 use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
 use super::plot::{Picture, SmallPlot, Stroke};
@@ -52,9 +54,10 @@ impl TimePlots {
     /// Which outputs, and whether split.
     pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
         let chosen = &mut self.chosen[index(plane)];
-        let button = egui::containers::menu::MenuButton::new("Show ▾").config(
-            egui::containers::menu::MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside),
-        );
+        // Boxes to tick have their outline, which the style of menus takes away.
+        let config = MenuConfig::new().style(StyleModifier::default());
+        let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let button = MenuButton::new("Show ▾").config(config);
         let (response, _) = button.ui(ui, |ui| {
             for &output in Output::of(plane) {
                 let quantity = Quantity::of(output);
