@@ -128,7 +128,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
         .inner_margin(Margin { left: 15, right: 10, top: 8, bottom: 9 })
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
-            ui.spacing_mut().interact_size.y = 19.0;
+            theme::make_low(ui, 19.0);
             ui.horizontal(|ui| {
                 let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
                 theme::heading(ui, name.color(color), 3);

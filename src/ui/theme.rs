@@ -14,6 +14,26 @@ pub use super::palette::{Look, Palette};
 /// Height of a control that a finger may have to hit \[points\].
 pub const TOUCH_HEIGHT: f32 = 44.0;
 
+/// The same for a mouse.
+const MOUSE_HEIGHT: f32 = 26.0;
+
+/// Makes every control as high as a finger needs it, lists included, or as a mouse does. Says whether that is a change.
+pub fn make_room(ctx: &Context, fingers: bool) -> bool {
+    let height = if fingers { TOUCH_HEIGHT } else { MOUSE_HEIGHT };
+    let changes = ctx.style_of(ctx.theme()).spacing.interact_size.y != height;
+    if changes {
+        ctx.all_styles_mut(|style| style.spacing.interact_size.y = height);
+    }
+    changes
+}
+
+/// A height for a control that is smaller than others: not for a finger.
+pub fn make_low(ui: &mut Ui, height: f32) {
+    if ui.spacing().interact_size.y < TOUCH_HEIGHT {
+        ui.spacing_mut().interact_size.y = height;
+    }
+}
+
 /// Text that explains, one size down.
 pub fn small() -> FontId {
     FontId::proportional(11.5)
@@ -38,7 +58,7 @@ pub fn install(ctx: &Context) {
         .into();
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
         style.spacing.button_padding = Vec2::new(9.0, 5.0);
-        style.spacing.interact_size.y = 26.0;
+        style.spacing.interact_size.y = MOUSE_HEIGHT;
         style.spacing.menu_margin = Margin::same(6);
         style.visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);
         style.interaction.selectable_labels = false;

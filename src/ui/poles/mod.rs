@@ -30,8 +30,8 @@ mod trail;
 use egui::accesskit::{Live, Role};
 use egui::text::LayoutJob;
 use egui::{
-    Align2, Button, CursorIcon, EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, RichText, Sense,
-    Stroke, StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
+    Align2, Button, CursorIcon, Id, Key, Modifiers, Pos2, Rect, Response, RichText, Sense, Stroke,
+    StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
 };
 use nalgebra::Complex;
 
@@ -48,6 +48,7 @@ use super::axis_range::round_up;
 use super::memo::Memo;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
+use super::{arrow_keys, finger};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::locus::Locus;
@@ -286,16 +287,18 @@ impl PoleMap {
         let description = map.describe();
         ground.widget_info(|| WidgetInfo::labeled(Role::Image, true, description.as_str()));
         let pole = |at: Option<Pos2>| at.and_then(|at| nearest_pole(&chart, modes, at, reach(ui)));
-        let pinch = ui.input(|input| input.multi_touch());
-        if let Some(pinch) = pinch.filter(|pinch| chart.rect.contains(pinch.center_pos)) {
-            range.zoom(chart, f64::from(pinch.zoom_delta), chart.at(pinch.center_pos));
+        let pinch = finger::pinch(ui, &ground);
+        // A finger on a pole has taken it by now, whichever way it goes.
+        let held = self.held.is_some() || finger::works_on(ui, &ground);
+        if let Some(pinch) = pinch {
+            range.pinch(chart, pinch.center_pos, pinch.translation_delta, f64::from(pinch.zoom_delta));
         } else if let Some(at) = ground.hover_pos() {
             let factor = f64::from(ui.input(|input| input.zoom_delta()));
             if factor != 1.0 {
                 range.zoom(chart, factor, chart.at(at));
             }
         }
-        if ground.dragged() && self.held.is_none() && pinch.is_none() {
+        if ground.dragged() && held && self.held.is_none() && pinch.is_none() {
             range.pan(chart, -chart.across(ground.drag_motion()));
         }
         if ground.clicked() {
@@ -382,8 +385,7 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
             node.set_description("Arrow keys move it, with Shift further; Escape ends.");
         });
         if response.has_focus() {
-            let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-            ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+            arrow_keys::keep(ui, &response);
         }
         response
     };
