@@ -27,9 +27,14 @@ pub fn make_room(ctx: &Context, fingers: bool) -> bool {
     changes
 }
 
+/// Whether controls are as high as a finger needs them.
+pub fn is_for_fingers(ui: &Ui) -> bool {
+    ui.spacing().interact_size.y >= TOUCH_HEIGHT
+}
+
 /// A height for a control that is smaller than others: not for a finger.
 pub fn make_low(ui: &mut Ui, height: f32) {
-    if ui.spacing().interact_size.y < TOUCH_HEIGHT {
+    if !is_for_fingers(ui) {
         ui.spacing_mut().interact_size.y = height;
     }
 }

@@ -2,6 +2,7 @@
 
 mod address;
 pub mod mirror;
+mod sharpness;
 
 use std::any::Any;
 
@@ -14,6 +15,9 @@ use address::AddressBar;
 
 use crate::export;
 use crate::ui::App;
+
+/// The canvas of the page.
+const CANVAS: &str = "eigenwing";
 
 /// Starts the application on `<canvas id="eigenwing">`.
 ///
@@ -33,10 +37,8 @@ pub fn start() {
 async fn run() -> Result<(), JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let document = window.document().ok_or("there is no document")?;
-    let canvas: HtmlCanvasElement = document
-        .get_element_by_id("eigenwing")
-        .ok_or("the page has no canvas named eigenwing")?
-        .dyn_into()?;
+    let canvas: HtmlCanvasElement =
+        document.get_element_by_id(CANVAS).ok_or("the page has no canvas named eigenwing")?.dyn_into()?;
     let reduced_motion =
         window.match_media("(prefers-reduced-motion: reduce)")?.is_some_and(|query| query.matches());
 
@@ -92,6 +94,8 @@ impl Page {
 
 impl eframe::App for Page {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        // First, while nothing of the page has been touched that the browser would have to lay out anew.
+        sharpness::keep(ui.ctx());
         self.address.read(&mut self.app);
         self.app.ui(ui);
         self.address.follow(ui, &self.app);

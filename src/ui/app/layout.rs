@@ -95,7 +95,7 @@ impl App {
         self.ghost_memo_refresh();
         // A finger going up or down on the map scrolls what is below, as if the map were a part of it.
         let below = finger::last_background(ui);
-        Panel::top("poles").exact_size(266.0).resizable(false).frame(ground).show(ui, |ui| {
+        Panel::top("poles").exact_size(276.0).resizable(false).frame(ground).show(ui, |ui| {
             ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
             finger::scrolls_ui(ui, below, |ui| self.poles_ui(ui));
         });

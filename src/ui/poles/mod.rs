@@ -59,7 +59,7 @@ use crate::scenario::{Page, Parameter, Scenario};
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
 /// A narrower map has room for the first words of its name only.
 const NARROW: f32 = 230.0;
-/// A narrower one has no room for zoom buttons: keys and fingers do as well.
+/// A narrower one has no room for zoom buttons, and a finger could not hit them: keys and two fingers do as well.
 const NARROWEST: f32 = 130.0;
 /// A press of a zoom button or key.
 const ZOOM_STEP: f64 = 1.5;
@@ -394,6 +394,7 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
 
 /// Zoom in and out, and back where that is not where the map is.
 fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, middle: Complex<f64>) {
+    let roomy = map.rect.width() >= NARROWEST && !theme::is_for_fingers(ui);
     let row = Rect::from_min_size(map.rect.min, Vec2::new(map.rect.width(), CAPTION - 1.0));
     let layout = egui::Layout::right_to_left(egui::Align::Center);
     ui.scope_builder(UiBuilder::new().max_rect(row).layout(layout), |ui| {
@@ -407,7 +408,6 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
                 ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
             response.on_hover_text(does).clicked()
         };
-        let roomy = map.rect.width() >= NARROWEST;
         if roomy && pressed("+", "Zoom in") {
             range.zoom(chart, ZOOM_STEP, middle);
         }
