@@ -123,7 +123,7 @@ fn a_finger_going_up_scrolls_the_page_wherever_it_begins() {
         let after = rect(&page, MAP).top();
         assert!((before - after - 80.0).abs() < 15.0, "{size}, the map: {before} to {after}");
         assert!((on_map(&page) - pole).length() < 0.5, "{size}: the map itself stays");
-        swipe(&mut page, rect(&page, MAP).center(), -2.0 * UP);
+        swipe(&mut page, spot, -2.0 * UP);
 
         if size == LOW {
             // There the aircraft is below the responses: brought onto the screen first.
@@ -158,7 +158,7 @@ fn two_fingers_move_the_map_with_them() {
     for (size, by) in [(TABLET, UP / 3.0), (PHONE, UP / 3.0), (PHONE, SIDEWAYS / 3.0)] {
         let mut page = page(size);
         let (before, pole) = (rect(&page, MAP), on_map(&page));
-        let from = rect(&page, MAP).center() - Vec2::new(20.0, 0.0);
+        let from = before.center() - Vec2::new(20.0, 0.0);
         swipe_by_two(&mut page, from, by);
         assert_eq!(rect(&page, MAP).min, before.min, "{size} {by}");
         let moved = on_map(&page) - pole;

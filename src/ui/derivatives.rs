@@ -119,7 +119,11 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
     ui.horizontal(|ui| {
         let hint = RichText::new("Find a derivative (/)").font(theme::small()).color(palette.weak);
         let width = ui.available_width() - if search.is_empty() { 0.0 } else { 26.0 };
-        let field = TextEdit::singleline(search).hint_text(hint).desired_width(width).font(theme::small());
+        let field = TextEdit::singleline(search)
+            .hint_text(hint)
+            .desired_width(width)
+            .font(theme::small())
+            .vertical_align(Align::Center);
         let response = ui.add(field).accessible_name("Find a derivative");
         if response.has_focus() {
             arrow_keys::keep(ui, &response);
