@@ -27,7 +27,7 @@ pub use pose::{Flown, MomentArrow, Pose};
 pub use quantity::Quantity;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Scenario {
     /// The aircraft as its file has it: the reference of every slider.
     pub aircraft: Arc<Aircraft>,
@@ -37,6 +37,17 @@ pub struct Scenario {
     pub plane: Plane,
     /// What disturbs it, and for how long it is watched.
     pub disturbance: Disturbance,
+}
+
+/// Compared many times in every frame, nearly always with one of the same aircraft.
+impl PartialEq for Scenario {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { aircraft, edited, plane, disturbance } = self;
+        *plane == other.plane
+            && *disturbance == other.disturbance
+            && *edited == other.edited
+            && (Arc::ptr_eq(aircraft, &other.aircraft) || *aircraft == other.aircraft)
+    }
 }
 
 impl Scenario {

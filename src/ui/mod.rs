@@ -9,6 +9,7 @@ mod derivatives;
 mod finger;
 mod flight_pane;
 mod fonts;
+mod kept;
 mod keys;
 mod memo;
 mod mode_cards;

@@ -11,7 +11,7 @@ use crate::flight::naming::ModeName;
 use crate::shape::{Finish, Material};
 
 /// The colours of one theme.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub struct Palette {
     /// Behind the panes.
     pub background: Color32,

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use egui::epaint::Vertex;
-use egui::{Color32, Id, Mesh, Ui};
+use egui::{Color32, Mesh, Ui};
 use nalgebra::Rotation3;
 
 use super::camera::Lens;
 use super::picture::Picture;
 use crate::shape::{Deflections, Face, Finish, Material, Model, Point};
+use crate::ui::kept::kept;
 use crate::ui::theme::Palette;
 
 // Parts of full light: from all around, from the sky above, from the sun.
@@ -20,7 +21,7 @@ const REFLECTION: f32 = 0.32;
 /// The sun stands so far to the right of the eye \[rad\], and so high over the level.
 const SUN: (f32, f32) = (0.3, 1.0);
 
-/// What the triangles follow from: while none of it changes, as in most frames in which nothing is played, they are kept.
+/// What the triangles follow from: it stays the same in most frames in which nothing is played.
 #[derive(Clone, PartialEq)]
 struct Key {
     name: String,
@@ -30,7 +31,7 @@ struct Key {
     propeller_angle: f32,
     rotation: Rotation3<f32>,
     lens: Lens,
-    skin: Color32,
+    palette: &'static Palette,
 }
 
 /// The aircraft as triangles, to be drawn as they come; those of the frame before where the picture is the same.
@@ -39,7 +40,7 @@ pub(super) fn kept_mesh(
     picture: &Picture<'_>,
     rotation: &Rotation3<f32>,
     lens: &Lens,
-    palette: &Palette,
+    palette: &'static Palette,
 ) -> Arc<Mesh> {
     let key = Key {
         name: picture.name.to_owned(),
@@ -49,18 +50,10 @@ pub(super) fn kept_mesh(
         propeller_angle: picture.propeller_angle,
         rotation: *rotation,
         lens: *lens,
-        skin: palette.airframe(picture.finish, Material::Skin),
+        palette,
     };
-    let id = Id::unique("airframe");
-    if let Some((of, mesh)) = ui.data(|data| data.get_temp::<(Key, Arc<Mesh>)>(id))
-        && of == key
-    {
-        return mesh;
-    }
     let pose = (picture.deflections, picture.propeller_angle);
-    let mesh = Arc::new(mesh(picture.model, picture.finish, pose, rotation, lens, palette));
-    ui.data_mut(|data| data.insert_temp(id, (key, mesh.clone())));
-    mesh
+    kept(ui, "airframe", key, || mesh(picture.model, picture.finish, pose, rotation, lens, palette))
 }
 
 fn mesh(

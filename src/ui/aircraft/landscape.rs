@@ -1,9 +1,12 @@
 //! Sky and ground: a level horizon, and fields that pass below as fast as the aircraft flies.
 
-use egui::{Color32, Mesh, Pos2, Rect, lerp};
+use std::sync::Arc;
+
+use egui::{Color32, Context, Mesh, Pos2, Rect, lerp};
 
 use super::camera::Lens;
 use crate::shape::Point;
+use crate::ui::kept::kept;
 use crate::ui::theme::Palette;
 
 /// How many fields can be seen in each direction.
@@ -14,7 +17,7 @@ const HEIGHT: f32 = 2.2;
 const PALING: f32 = 0.75;
 
 /// What the ground looks like from here.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ground {
     /// Side of a field \[m\].
     pub field: f32,
@@ -36,8 +39,18 @@ impl Ground {
     }
 }
 
-/// Sky and ground of a pane, as triangles.
-pub(super) fn mesh(pane: Rect, lens: &Lens, ground: &Ground, palette: &Palette) -> Mesh {
+/// Sky and ground of a pane, as triangles; those of the frame before where it looks the same.
+pub(super) fn kept_mesh(
+    ctx: &Context,
+    pane: Rect,
+    lens: &Lens,
+    ground: &Ground,
+    palette: &'static Palette,
+) -> Arc<Mesh> {
+    kept(ctx, "landscape", (pane, *lens, *ground, palette), || mesh(pane, lens, ground, palette))
+}
+
+fn mesh(pane: Rect, lens: &Lens, ground: &Ground, palette: &Palette) -> Mesh {
     let mut mesh = Mesh::default();
     let horizon = lens.horizon();
     let fade = PALING * pane.height();
@@ -48,7 +61,7 @@ pub(super) fn mesh(pane: Rect, lens: &Lens, ground: &Ground, palette: &Palette) 
     bands(&mut mesh, pane, (limit, pane.bottom()), |y| {
         mixed(palette.ground[1], palette.ground[0], (y - horizon) / (0.6 * fade))
     });
-    fields(&mut mesh, lens, ground, palette);
+    fields(&mut mesh, pane, lens, ground, palette);
     lines(&mut mesh, pane, lens, ground, palette);
     mesh
 }
@@ -103,7 +116,7 @@ fn is_dark(i: i64, j: i64) -> u8 {
     }
 }
 
-fn fields(mesh: &mut Mesh, lens: &Lens, ground: &Ground, palette: &Palette) {
+fn fields(mesh: &mut Mesh, pane: Rect, lens: &Lens, ground: &Ground, palette: &Palette) {
     let near = 0.02 * ground.height;
     let [north, east] = ground.place.map(|x| x.floor() as i64);
     for i in -FIELDS..FIELDS {
@@ -117,10 +130,16 @@ fn fields(mesh: &mut Mesh, lens: &Lens, ground: &Ground, palette: &Palette) {
             if seen.iter().any(|p| p.z < near) {
                 continue;
             }
+            let places = seen.map(|seen| lens.on_screen(&seen));
+            let strength = if shade == 2 { 0.8 } else { 0.4 };
+            let colors = corners
+                .map(|corner| palette.field_on_ground.gamma_multiply(strength * ground.clearness(&corner)));
+            if !pane.intersects(Rect::from_points(&places)) || colors == [Color32::TRANSPARENT; 4] {
+                continue;
+            }
             let first = mesh.vertices.len() as u32;
-            for (corner, seen) in corners.iter().zip(&seen) {
-                let strength = ground.clearness(corner) * if shade == 2 { 0.8 } else { 0.4 };
-                mesh.colored_vertex(lens.on_screen(seen), palette.field_on_ground.gamma_multiply(strength));
+            for (place, color) in places.into_iter().zip(colors) {
+                mesh.colored_vertex(place, color);
             }
             mesh.add_triangle(first, first + 1, first + 2);
             mesh.add_triangle(first, first + 2, first + 3);
@@ -147,8 +166,10 @@ fn lines(mesh: &mut Mesh, pane: Rect, lens: &Lens, ground: &Ground, palette: &Pa
         if !pane.intersects(Rect::from_two_pos(at[0], at[1])) {
             return;
         }
-        let color = |p: &Point| palette.line_on_ground.gamma_multiply(0.75 * ground.clearness(p));
-        stroke(mesh, at, 0.6, [color(&a), color(&b)]);
+        let color = [a, b].map(|p| palette.line_on_ground.gamma_multiply(0.75 * ground.clearness(&p)));
+        if color != [Color32::TRANSPARENT; 2] {
+            stroke(mesh, at, 0.6, color);
+        }
     };
     for i in -FIELDS..=FIELDS {
         for j in (-FIELDS..FIELDS).step_by(PIECE as usize) {

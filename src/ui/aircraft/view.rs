@@ -124,7 +124,7 @@ impl AircraftView {
         let [north, east, _] = picture.position;
         let climbed = finite(picture.steady_position[2] - picture.position[2]);
         let ground = Ground::below(radius, finite(picture.speed), [north, east], climbed);
-        painter.add(Shape::mesh(landscape::mesh(pane, &lens, &ground, palette)));
+        painter.add(Shape::mesh(landscape::kept_mesh(ui, pane, &lens, &ground, palette)));
 
         let rotation = picture.attitude.rotation();
         let mut easel =

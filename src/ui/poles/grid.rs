@@ -1,11 +1,13 @@
 //! The ground of a pole map: half planes, rays of equal damping ratio, arcs of equal natural frequency, and their figures.
 
-use egui::{Align2, FontId, Painter, Rect, Shape, Stroke, Vec2, pos2};
+use egui::epaint::Tessellator;
+use egui::{Align2, FontId, Mesh, Painter, Rect, Shape, Stroke, Vec2, pos2};
 use nalgebra::Complex;
 
 use super::chart::{Chart, View};
 use super::labels::Placement;
 use crate::number::trimmed;
+use crate::ui::kept::kept;
 use crate::ui::theme::Palette;
 
 /// Damping ratios of the rays.
@@ -53,8 +55,8 @@ pub fn rays(zeta: f64, chart: &Chart) -> [Complex<f64>; 3] {
     [end, Complex::from(0.0), end.conj()]
 }
 
-/// Draws the ground.
-pub fn draw(painter: &Painter, chart: &Chart, palette: &Palette) {
+/// Draws the ground of the map called `name`.
+pub fn draw(painter: &Painter, name: &str, chart: &Chart, palette: &'static Palette) {
     let origin = chart.position(Complex::from(0.0));
     let Rect { min, max } = chart.rect;
     let boundary = origin.x.clamp(min.x, max.x);
@@ -62,6 +64,15 @@ pub fn draw(painter: &Painter, chart: &Chart, palette: &Palette) {
     let right = Rect::from_min_max(pos2(boundary, min.y), max);
     painter.rect_filled(left, 0.0, palette.stable_half);
     painter.rect_filled(right, 0.0, palette.unstable_half);
+    // Hundreds of dashes, which stay where they are as long as the map shows the same part of the plane.
+    let key = (*chart, palette, painter.pixels_per_point());
+    painter.add(Shape::mesh(kept(painter.ctx(), name, key, || dashes(painter, chart, palette))));
+    painter.hline(chart.rect.x_range(), origin.y, Stroke::new(1.0, palette.grid));
+    painter.vline(origin.x, chart.rect.y_range(), Stroke::new(1.5, palette.strong));
+}
+
+/// Rays and arcs.
+fn dashes(painter: &Painter, chart: &Chart, palette: &Palette) -> Mesh {
     let mut shapes = Vec::new();
     let mut dashed = |line: Vec<Vec<egui::Pos2>>| {
         for part in line {
@@ -76,9 +87,12 @@ pub fn draw(painter: &Painter, chart: &Chart, palette: &Palette) {
     for wn in arc_frequencies(chart.view) {
         dashed(chart.clipped(arc(wn, chart)));
     }
-    painter.extend(shapes);
-    painter.hline(chart.rect.x_range(), origin.y, Stroke::new(1.0, palette.grid));
-    painter.vline(origin.x, chart.rect.y_range(), Stroke::new(1.5, palette.strong));
+    let options = painter.ctx().tessellation_options(|options| *options);
+    // Neither text nor discs, so the texture doesn't matter.
+    let mut tessellator = Tessellator::new(painter.pixels_per_point(), options, [1, 1], Vec::new());
+    let mut mesh = Mesh::default();
+    shapes.into_iter().for_each(|shape| tessellator.tessellate_shape(shape, &mut mesh));
+    mesh
 }
 
 /// Writes figures of rays and arcs, and what the axes are, where there is room.

@@ -87,14 +87,21 @@ impl Map<'_> {
     }
 
     /// Draws it.
-    pub fn draw(&self, ui: &Ui, palette: &Palette, chart: &Chart, seen: &Seen<'_>, extras: Extras<'_>) {
+    pub fn draw(
+        &self,
+        ui: &Ui,
+        palette: &'static Palette,
+        chart: &Chart,
+        seen: &Seen<'_>,
+        extras: Extras<'_>,
+    ) {
         let rect = chart.rect;
         let caption = self.rect.min + Vec2::new(0.0, 0.5 * CAPTION - 1.0);
         let name = self.name.split(',').next().filter(|_| rect.width() < NARROW).unwrap_or(self.name);
         ui.painter().text(caption, Align2::LEFT_CENTER, name, theme::small(), palette.weak);
         let painter = ui.painter_at(rect);
         let home = || self.boundaries(extras.boundaries);
-        grid::draw(&painter, chart, palette);
+        grid::draw(&painter, self.name, chart, palette);
         boundaries::draw(&painter, chart, palette, home());
         if let Some(inset) = extras.inset {
             frame(&painter, chart, palette, inset);

@@ -7,6 +7,7 @@ mod frequency;
 mod phase;
 mod plot;
 mod studied;
+mod thin;
 mod time;
 
 use egui::{RichText, Ui};

@@ -8,6 +8,7 @@ use egui_plot::{HLine, Line, LineStyle, PlotPoint, PlotPoints, Points, Span, VLi
 use crate::number::significant;
 use crate::ui::axis_range::{AxisRange, round_up};
 use crate::ui::finger;
+use crate::ui::responses::thin::thin;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
 
@@ -173,6 +174,7 @@ fn draw(
     let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x) };
     let vertical = marks(&y, rect.height(), APART.y);
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
+    let scale = rect.size() / Vec2::new((x.end() - x.start()) as f32, (y.end() - y.start()) as f32);
     let id = Id::unique((picture.symbol, picture.unit, picture.against.0));
     let plot = ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
         theme::still_plot(id, rect).show(ui, |plot| {
@@ -193,7 +195,8 @@ fn draw(
             }
             // The first is drawn last, on top.
             for curve in picture.curves.iter().rev() {
-                let line = Line::new(curve.name, PlotPoints::Borrowed(curve.drawn_part())).color(curve.color);
+                let points = PlotPoints::Owned(thin(curve.drawn_part(), scale));
+                let line = Line::new(curve.name, points).color(curve.color);
                 let line = match curve.stroke {
                     Stroke::Full => line.width(1.8).allow_band(false),
                     Stroke::Part => line.width(1.3).fill(0.0).fill_alpha(0.12),
