@@ -123,7 +123,7 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
             .hint_text(hint)
             .desired_width(width)
             .font(theme::small())
-            .vertical_align(Align::Center);
+            .align(egui::Align2::LEFT_CENTER);
         let response = ui.add(field).accessible_name("Find a derivative");
         if response.has_focus() {
             arrow_keys::keep(ui, &response);

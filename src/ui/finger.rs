@@ -23,7 +23,7 @@ pub fn scroll_area_ui<R>(
 ) -> R {
     let name = IdSalt::new(name);
     // As egui names it; the tests by touch would notice if it were otherwise.
-    let background = ui.make_persistent_id(name).with("area");
+    let background = ui.make_persistent_id(IdSalt::new(name)).with("area");
     let inner = area.id_salt(name).show(ui, |ui| scrolls_ui(ui, Some(background), contents)).inner;
     ui.data_mut(|data| data.insert_temp(Id::unique(TAG), background));
     inner
