@@ -81,9 +81,9 @@ fn swipe(page: &mut Page, from: Pos2, by: Vec2) {
         page.step();
     }
     // So long that nothing rolls out.
-    page.run_steps(12);
+    page.run_steps(8);
     lift(page, from + by);
-    page.run_steps(20);
+    page.run_steps(3);
 }
 
 /// Two fingers drawn together, a hand's breadth apart.
@@ -102,7 +102,7 @@ fn swipe_by_two(page: &mut Page, from: Pos2, by: Vec2) {
     }
     touch(page, 1, TouchPhase::End, from + by + other);
     lift(page, from + by);
-    page.run_steps(20);
+    page.run_steps(3);
 }
 
 /// Whether the aircraft is seen as the page opens.
@@ -136,9 +136,8 @@ fn a_finger_going_up_scrolls_the_page_wherever_it_begins() {
 
         if size == LOW {
             // There the aircraft is below the responses: brought onto the screen first.
-            for _ in 0..9 {
-                swipe(&mut page, Pos2::new(530.0, 400.0), Vec2::new(0.0, -120.0));
-            }
+            page.get_by_label_contains(AIRCRAFT).scroll_to_me();
+            page.run();
         }
         let from = rect(&page, AIRCRAFT).center().clamp(Pos2::ZERO, (0.8 * size).to_pos2());
         let before = rect(&page, AIRCRAFT).top();
