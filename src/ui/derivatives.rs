@@ -137,7 +137,7 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
             });
         }
         if !search.is_empty()
-            && ui.add(Button::new("✕").frame(false)).accessible_name("Show all sliders").clicked()
+            && theme::bare_button(ui, true, Button::new("✕")).accessible_name("Show all sliders").clicked()
         {
             search.clear();
         }
@@ -161,7 +161,7 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
         let edited = rows.iter().any(|parameter| parameter.is_edited(scenario));
         if edited {
-            let reset = ui.add(Button::new(RichText::new("↺").font(theme::small())).frame(false));
+            let reset = theme::bare_button(ui, true, Button::new(RichText::new("↺").font(theme::small())));
             let reset = reset.accessible_name(format!("Reset the group {}", group.text()));
             if reset.on_hover_text("All of this group back to the reference").clicked() {
                 for parameter in rows {
@@ -249,7 +249,8 @@ fn row_ui(
         );
         bars_ui(ui, parameter, (in_si, unit), outlook, Vec2::new(bars_width, height));
         if parameter.is_edited(scenario) {
-            let reset = ui.add(Button::new("↺").frame(false)).accessible_name(format!("Reset {name}"));
+            let reset =
+                theme::bare_button(ui, true, Button::new("↺")).accessible_name(format!("Reset {name}"));
             if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
                 parameter.reset(scenario);
             }

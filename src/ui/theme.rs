@@ -2,8 +2,8 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response, RichText,
-    Stroke, TextStyle, Theme, Ui, Vec2,
+    Button, Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response,
+    RichText, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2,
 };
 
 use egui_plot::Plot;
@@ -102,6 +102,16 @@ pub(super) fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
         style.corner_radius = CornerRadius::same(6);
         style.expansion = 0.0;
     }
+}
+
+/// A button that is its words alone. A frame shows the focus of others; this one has a ring for it.
+pub fn bare_button(ui: &mut Ui, enabled: bool, button: Button<'_>) -> Response {
+    let response = ui.add_enabled(enabled, button.frame(false));
+    if response.has_focus() {
+        let ring = Stroke::new(2.0, Palette::of(ui).accent);
+        ui.painter().rect_stroke(response.rect.expand(2.0), CornerRadius::same(4), ring, StrokeKind::Outside);
+    }
+    response
 }
 
 /// A heading, for eyes and for screen readers.

@@ -124,12 +124,12 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     ui.spacing_mut().item_spacing.x = gap;
     let least = Vec2::new(least, 0.0);
     let look = Look::of(ui.ctx()).next();
-    let button = ui.add(Button::new(look.sign()).frame(false).min_size(least));
+    let button = theme::bare_button(ui, true, Button::new(look.sign()).min_size(least));
     if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {
         look.set(ui.ctx());
     }
     let mut tool = |text: &str, name: &str, enabled: bool, asked: Action| {
-        let button = ui.add_enabled(enabled, Button::new(text).frame(false).min_size(least));
+        let button = theme::bare_button(ui, enabled, Button::new(text).min_size(least));
         if button.accessible_name(name).on_hover_text(name).clicked() {
             action = Some(asked);
         }
