@@ -60,8 +60,8 @@ fn tab_goes_once_round_the_whole_page_and_is_seen_at_every_stop() {
         let (mut stops, mut seen) = (Vec::new(), HashSet::new());
         loop {
             page.key_press(Key::Tab);
-            page.step();
-            page.step();
+            // So long that what is out of sight has been scrolled to.
+            page.run_steps(25);
             let (id, label, rect) = focused(&page).expect("something has the focus");
             if !seen.insert(id) {
                 assert_eq!(Some(&id), stops.first(), "{size}: from the last to the first, not to {label}");

@@ -14,7 +14,7 @@ pub fn last_background(ui: &Ui) -> Option<Id> {
     ui.data(|data| data.get_temp(Id::unique(TAG)))
 }
 
-/// A vertical scroll area that follows a finger wherever it begins.
+/// A vertical scroll area that follows a finger wherever it begins, and shows what the keyboard reaches in it.
 pub fn scroll_area_ui<R>(
     ui: &mut Ui,
     name: impl AsIdSalt,
@@ -24,7 +24,12 @@ pub fn scroll_area_ui<R>(
     let name = IdSalt::new(name);
     // As egui names it; the tests by touch would notice if it were otherwise.
     let background = ui.make_persistent_id(IdSalt::new(name)).with("area");
-    let inner = area.id_salt(name).show(ui, |ui| scrolls_ui(ui, Some(background), contents)).inner;
+    let contents = |ui: &mut Ui| {
+        let inner = scrolls_ui(ui, Some(background), contents);
+        show_focus(ui);
+        inner
+    };
+    let inner = area.id_salt(name).show(ui, contents).inner;
     ui.data_mut(|data| data.insert_temp(Id::unique(TAG), background));
     inner
 }
@@ -35,6 +40,19 @@ pub fn scrolls_ui<R>(ui: &mut Ui, background: Option<Id>, contents: impl FnOnce(
         UiStackInfo::default().with_tag_value(TAG, background)
     });
     ui.scope_builder(UiBuilder::new().ui_stack_info(info), contents).inner
+}
+
+/// Scrolls to what the keyboard has just reached, where that is out of sight. What the pointer presses stays under it.
+fn show_focus(ui: &Ui) {
+    if ui.input(|input| input.pointer.any_down() || input.pointer.any_released()) {
+        return;
+    }
+    let reached = ui.memory(|memory| memory.focused().filter(|&id| !memory.had_focus_last_frame(id)));
+    let Some(widget) = reached.and_then(|id| ui.ctx().read_response(id)) else { return };
+    let is_here = widget.layer_id == ui.layer_id() && ui.min_rect().contains(widget.rect.center());
+    if is_here && !ui.clip_rect().contains_rect(widget.rect) && widget.interact_rect != widget.rect {
+        ui.scroll_to_rect(widget.rect.expand(ui.spacing().item_spacing.y), None);
+    }
 }
 
 /// What a finger going up or down here would drag, if there is anything to scroll.

@@ -252,7 +252,7 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
     await counts(something, 1, pane);
   }
   const before = await state();
-  const { x, y, width } = await middle(page.getByRole("slider", { name: "lift-curve slope C_Lα", exact: true }));
+  const { x, y, width } = await middle(page.getByRole("slider", { name: "trim lift C_L", exact: true }));
   const devtools = await page.context().newCDPSession(page);
   const finger = (type, points) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await finger("touchStart", [{ x, y }]);
@@ -261,7 +261,7 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
     await sleep(30);
   }
   await finger("touchEnd", []);
-  const after = await until(state, (now) => now.parameters.cl_alpha > before.parameters.cl_alpha, "drawn along");
+  const after = await until(state, (now) => now.parameters.cl > before.parameters.cl, "drawn along");
   await sleep(300);
   assert.deepEqual((await state()).parameters, after.parameters, "it stays where the finger left it");
 
