@@ -229,6 +229,7 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         let text = RichText::new(format!("{} {mark}", level.text())).font(theme::semibold(11.0)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
+        theme::focus_ring(ui, &chip);
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
         if chip.on_hover_text("Which paragraphs of MIL-F-8785C set the level").clicked() {
             details.levels = !details.levels;

@@ -107,11 +107,16 @@ pub(super) fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
 /// A button that is its words alone. A frame shows the focus of others; this one has a ring for it.
 pub fn bare_button(ui: &mut Ui, enabled: bool, button: Button<'_>) -> Response {
     let response = ui.add_enabled(enabled, button.frame(false));
+    focus_ring(ui, &response);
+    response
+}
+
+/// Shows the focus of a button that has no outline of its own.
+pub fn focus_ring(ui: &Ui, response: &Response) {
     if response.has_focus() {
         let ring = Stroke::new(2.0, Palette::of(ui).accent);
         ui.painter().rect_stroke(response.rect.expand(2.0), CornerRadius::same(4), ring, StrokeKind::Outside);
     }
-    response
 }
 
 /// A heading, for eyes and for screen readers.

@@ -399,8 +399,15 @@ impl Page {
             _ => shown.forget_state(),
         }
         let target_tree = accesskit::TreeId::ROOT;
-        let request = ActionRequest { action, target_tree, target_node: id, data };
-        self.events.push(egui::Event::AccessKitActionRequest(request));
+        let mut ask = |action, data| {
+            let request = ActionRequest { action, target_tree, target_node: id, data };
+            self.events.push(egui::Event::AccessKitActionRequest(request));
+        };
+        if matches!(action, Action::Increment | Action::Decrement) {
+            // A key has been pressed on it, so it has the focus again if Escape has taken it away.
+            ask(Action::Focus, None);
+        }
+        ask(action, data);
         self.ctx.request_repaint();
     }
 }
