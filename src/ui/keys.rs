@@ -1,6 +1,6 @@
 //! The keys of the page, in one table: what they do is read from here, and so is the sheet that lists them.
 
-use egui::{Grid, Key, Modal, Modifiers, RichText, ScrollArea, Ui};
+use egui::{Grid, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui};
 
 use super::theme::{self, Palette};
 use crate::scenario::link::Pane;
@@ -101,10 +101,14 @@ pub fn command(ui: &Ui) -> Option<Command> {
     let typing = ui.text_edit_focused();
     // Space presses what has focus.
     let focused = ui.memory(|memory| memory.focused().is_some());
+    // Esc closes what is in front first.
+    let listing = Popup::is_any_open(ui.ctx());
     ui.input_mut(|input| {
         SHORTCUTS.iter().find_map(|shortcut| {
             let takes_text = shortcut.modifiers.is_none();
-            let taken = (typing && takes_text) || (focused && shortcut.key == Key::Space);
+            let taken = (typing && takes_text)
+                || (focused && shortcut.key == Key::Space)
+                || (listing && shortcut.key == Key::Escape);
             // “?” is on another key of every keyboard, mostly with Shift; Esc is also a field's way to give up.
             let pressed = if matches!(shortcut.key, Key::Questionmark | Key::Escape) {
                 !taken && input.key_pressed(shortcut.key)

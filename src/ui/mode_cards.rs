@@ -169,7 +169,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
         .inner_margin(Margin { left: 15, right: 10, top: 8, bottom: 9 })
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
-            ui.spacing_mut().interact_size.y = 19.0;
+            theme::make_low(ui, 19.0);
             ui.horizontal(|ui| {
                 let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
                 theme::heading(ui, name.color(color), 3);
@@ -270,6 +270,7 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         let text = RichText::new(format!("{} {mark}", level.text())).font(theme::semibold(11.0)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
+        theme::focus_ring(ui, &chip);
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
         if chip.on_hover_text("Which paragraphs of MIL-F-8785C set the level").clicked() {
             details.levels = !details.levels;
@@ -319,11 +320,18 @@ pub fn approximation_errors(approximation: &Approximation, is_oscillatory: bool)
     if errors.is_empty() { "gives nothing here".to_owned() } else { errors.join(", ") }
 }
 
+/// Height of a number of a card.
+const ENTRY_HEIGHT: f32 = 18.0;
+
 /// One number of a card: symbol, text with its unit, and what it is.
 type Entry = (&'static str, Option<String>, &'static str);
 
 /// The numbers of a mode, two a line.
 pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
+    ui.scope(|ui| entries_ui(ui, mode));
+}
+
+fn entries_ui(ui: &mut Ui, mode: &Mode) {
     let seconds = |t: f64| format!("{} s", significant(t, 3));
     let rate = |w: f64| format!("{} rad/s", significant(w, 3));
     let growth: Entry = if mode.stability == DynamicStability::Unstable {
@@ -350,6 +358,10 @@ pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
         ("τ", mode.time_constant().map(seconds), "Time constant, −1/λ"),
     ];
     let eigenvalue = format!("{} 1/s", eigenvalue(mode.lambda));
+    if theme::is_for_fingers(ui) {
+        // They are only read: no finger has to hit them.
+        ui.spacing_mut().interact_size.y = ENTRY_HEIGHT;
+    }
     entry_ui(ui, ui.available_width(), &("λ", Some(eigenvalue), "Eigenvalue σ ± jω: growth and frequency"));
     let shown: Vec<&Entry> = entries.iter().filter(|entry| entry.1.is_some()).collect();
     for pair in shown.chunks(2) {
@@ -365,7 +377,7 @@ pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
 fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
     let Some(text) = text else { return };
     let palette = Palette::of(ui);
-    let size = Vec2::new(width, 18.0);
+    let size = Vec2::new(width, ENTRY_HEIGHT);
     let response = ui
         .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(width);

@@ -54,15 +54,15 @@ after(async () => {
   for (const browser of browsers.values()) await (await browser).close();
 });
 
-// Options: `viewport`, `colorScheme`, `touch`; `flags` for the browser; `path` of another page ("example/") and `fragment`
+// Options: `viewport`, `colorScheme`, `touch`, `scale` (pixels a point); `flags` for the browser; `path` of another page ("example/") and `fragment`
 // of the address ("#v=1&ac=navion"); `before`, a
 // function run in the page before its scripts; `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
 // Closes itself when the test ends.
 export async function open(t, options = {}) {
-  const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false } = options;
+  const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false, scale = 1 } = options;
   const browser = await browserWith(options.flags ?? []);
   const server = await serve(options.server);
-  const context = await browser.newContext({ viewport, colorScheme, hasTouch: touch, isMobile: touch });
+  const context = await browser.newContext({ viewport, colorScheme, hasTouch: touch, isMobile: touch, deviceScaleFactor: scale });
   t.after(async () => {
     await context.close();
     server.close();

@@ -237,6 +237,9 @@ impl App {
         let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
         let width = ui.content_rect().width();
         let phone = width < PHONE;
+        if theme::make_room(ui.ctx(), phone) {
+            ui.request_discard("controls are of another height from now on");
+        }
         let palette = Palette::of(ui);
         let scene = self.scene();
         let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
@@ -272,10 +275,6 @@ impl App {
         if !self.memo.is_of(&self.scenario, self.view.page) {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
-        }
-        // A widget keeps the arrow keys to itself from its second frame with the focus on, which no event may bring.
-        if ui.memory(|memory| memory.focused().is_some_and(|id| !memory.had_focus_last_frame(id))) {
-            ui.request_repaint();
         }
         match hand {
             Hand::LetsGo => self.keep(ui),

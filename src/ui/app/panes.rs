@@ -54,26 +54,19 @@ impl App {
 
     pub(super) fn aircraft_ui(&mut self, ui: &mut Ui) {
         let Self { memo, scenario, view, .. } = self;
-        memo.refresh(scenario, view.page);
-        if view.responses.shows_flight() {
-            memo.refresh_flight();
-        }
-        match memo.motion() {
-            Some(motion) => {
-                let flight = memo.flight().filter(|_| view.responses.shows_flight());
-                let flight = flight
-                    .and_then(|flight| flight.as_ref().ok())
-                    .filter(|flight| !flight.samples.is_empty());
-                let flown = Flown { scenario, motion, flight };
-                view.flight.advance(ui, flown.end());
-                if let Some(time) = view.responses.hovered() {
-                    view.flight.seek(time);
-                }
+        match flown(ui, memo, scenario, view) {
+            Some(flown) => {
                 view.flight.show(ui, flown);
                 view.responses.set_time(view.flight.time());
             }
             None => problem_ui(ui, memo.followed(), scenario.plane),
         }
+    }
+
+    /// Lets the playback go on where the aircraft is not on screen.
+    pub(super) fn play(&mut self, ui: &Ui) {
+        flown(ui, &mut self.memo, &self.scenario, &mut self.view);
+        self.view.responses.set_time(self.view.flight.time());
     }
 
     pub(super) fn poles_ui(&mut self, ui: &mut Ui) {
@@ -192,4 +185,22 @@ fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
     };
     let palette = Palette::of(ui);
     banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
+}
+
+/// The motion on screen as it is flown, brought to the moment of the playback, or to that of the cursor in the plots.
+fn flown<'a>(ui: &Ui, memo: &'a mut Memo, scenario: &'a Scenario, view: &mut View) -> Option<Flown<'a>> {
+    memo.refresh(scenario, view.page);
+    let shows_flight = view.responses.shows_flight();
+    if shows_flight {
+        memo.refresh_flight();
+    }
+    let motion = memo.motion()?;
+    let flight = memo.flight().filter(|_| shows_flight);
+    let flight = flight.and_then(|flight| flight.as_ref().ok()).filter(|flight| !flight.samples.is_empty());
+    let flown = Flown { scenario, motion, flight };
+    view.flight.advance(ui, flown.end());
+    if let Some(time) = view.responses.hovered() {
+        view.flight.seek(time);
+    }
+    Some(flown)
 }

@@ -62,9 +62,7 @@ impl Choices {
         page: Page,
         size: Rows,
     ) {
-        if size == Rows::Touch {
-            ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 14.0;
-        } else {
+        if size == Rows::Dense {
             ui.spacing_mut().interact_size.y = 20.0;
             ui.spacing_mut().button_padding = Vec2::new(7.0, 1.0);
             ui.add_space(8.0);

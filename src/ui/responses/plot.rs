@@ -7,6 +7,7 @@ use egui_plot::{HLine, Line, LineStyle, PlotPoint, PlotPoints, Points, Span, VLi
 
 use crate::number::{round_up, significant};
 use crate::ui::axis_range::AxisRange;
+use crate::ui::finger;
 use crate::ui::responses::thin::thin;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
@@ -152,7 +153,10 @@ impl SmallPlot {
             rect.max - Vec2::new(0.0, GUTTER.y),
         );
         let response = draw(ui, frame, picture, (x.clone(), y), cursor);
-        let pointer = response.hover_pos()?;
+        let held = finger::works_on(ui, &response);
+        // A finger that has tapped is nowhere any more.
+        let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
+        let pointer = pointer.filter(|_| held)?;
         let fraction = f64::from((pointer.x - frame.left()) / frame.width()).clamp(0.0, 1.0);
         Some(x.start() + fraction * (x.end() - x.start()))
     }
