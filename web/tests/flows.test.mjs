@@ -294,39 +294,28 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
   assertClean(seen);
 });
 
-test("on a screen of two pixels a point the page is sharp, whole, and where it is touched", async (t) => {
-  for (const viewport of [
-    { width: 1440, height: 900 },
-    // A page zoomed to twice its size.
-    { width: 720, height: 450 },
-  ]) {
-    const { page, ready, state, slider, seen, screenshot } = await open(t, { viewport, scale: 2 });
-    await ready();
-    const pixels = () => page.evaluate(() => document.getElementById("eigenwing").width);
-    await until(pixels, (width) => width === 2 * viewport.width, "as many pixels as the screen has");
-    await sleep(1000);
-    await screenshot(`sharp-${viewport.width}`);
-    const right = await page.evaluate(() =>
-      Math.max(...[...document.querySelectorAll("#mirror button")].map((button) => button.getBoundingClientRect().right)),
-    );
-    assert.ok(right <= viewport.width && right > 0.9 * viewport.width, `buttons reach to ${right} of ${viewport.width}`);
-    const lift = slider("trim lift C_L");
-    const { x, y, width } = await middle(lift);
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    for (let i = 1; i <= 4; i += 1) await page.mouse.move(x + (i * width) / 16, y);
-    await page.mouse.up();
-    const [least, most] = [Number(await lift.getAttribute("min")), Number(await lift.getAttribute("max"))];
-    // Three quarters of the way along the slider, but for the ends of its rail.
-    const wanted = least + (0.5 + (0.25 * width) / (width - 14)) * (most - least);
-    await until(
-      state,
-      (now) => Math.abs(now.parameters.cl - wanted) < 0.03 * (most - least),
-      `it is drawn to ${wanted}`,
-    );
-    assertClean(seen);
-    await page.close();
-  }
+test("on a screen of two pixels a point the page is sharp, whole, at rest, and where it is touched", async (t) => {
+  const { page, ready, state, slider, seen, screenshot, rest } = await open(t, { scale: 2 });
+  await ready();
+  const [pixels, points] = await page.evaluate(() => [document.getElementById("eigenwing").width, innerWidth]);
+  assert.equal(pixels, 2 * points, "as many pixels as the screen has");
+  await rest();
+  await screenshot("sharp");
+  const right = await page.evaluate(() =>
+    Math.max(...[...document.querySelectorAll("#mirror button")].map((button) => button.getBoundingClientRect().right)),
+  );
+  assert.ok(right <= points && right > 0.9 * points, `buttons reach to ${right} of ${points}`);
+  const lift = slider("trim lift C_L");
+  const { x, y, width } = await middle(lift);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 4; i += 1) await page.mouse.move(x + (i * width) / 16, y);
+  await page.mouse.up();
+  const [least, most] = [Number(await lift.getAttribute("min")), Number(await lift.getAttribute("max"))];
+  // Three quarters of the way along the slider, but for the ends of its rail.
+  const wanted = least + (0.5 + (0.25 * width) / (width - 14)) * (most - least);
+  await until(state, (now) => Math.abs(now.parameters.cl - wanted) < 0.03 * (most - least), `it is drawn to ${wanted}`);
+  assertClean(seen);
 });
 
 // As a browser treats a page behind another, which a headless one doesn't: hidden, and without animation frames until
