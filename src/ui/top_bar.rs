@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::containers::menu::menu_style;
 use egui::style::{ScrollStyle, StyleModifier};
-use egui::{Align, Button, ComboBox, Layout, RichText, Ui};
+use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Vec2};
 
 use super::app::{Action, Ghost};
 use super::theme::{self, Look, Palette};
@@ -123,14 +123,21 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 /// The tools, from the right edge inwards where there is room.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
-    ui.spacing_mut().item_spacing.x = if bar.narrow { 6.0 } else { 12.0 };
+    // A sign alone is too narrow for a finger.
+    let (gap, least) = match (theme::is_for_fingers(ui), bar.narrow) {
+        (true, _) => (4.0, 34.0),
+        (false, true) => (6.0, 0.0),
+        (false, false) => (12.0, 0.0),
+    };
+    ui.spacing_mut().item_spacing.x = gap;
+    let least = Vec2::new(least, 0.0);
     let look = Look::of(ui.ctx()).next();
-    let button = ui.add(Button::new(look.sign()).frame(false));
+    let button = theme::bare_button(ui, true, Button::new(look.sign()).min_size(least));
     if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {
         look.set(ui.ctx());
     }
     let mut tool = |text: &str, name: &str, enabled: bool, asked: Action| {
-        let button = ui.add_enabled(enabled, Button::new(text).frame(false));
+        let button = theme::bare_button(ui, enabled, Button::new(text).min_size(least));
         if button.accessible_name(name).on_hover_text(name).clicked() {
             action = Some(asked);
         }

@@ -22,6 +22,8 @@ pub struct Placement {
     taken: Vec<Rect>,
     labels: Vec<Rect>,
     leaders: Vec<[Pos2; 2]>,
+    /// Better left free, but a label may lie there rather than nowhere.
+    shunned: Vec<Rect>,
 }
 
 /// What a label is wanted for.
@@ -53,11 +55,6 @@ pub struct Place {
 }
 
 impl Place {
-    /// Beside its point and with all its words is best.
-    fn rank(&self) -> (bool, usize) {
-        (self.leader.is_some(), self.size)
-    }
-
     fn length(&self) -> f32 {
         self.leader.map_or(0.0, |[from, to]| from.distance(to))
     }
@@ -74,12 +71,22 @@ pub struct Kept {
 impl Placement {
     /// Nothing placed yet inside `frame`.
     pub fn new(frame: Rect) -> Self {
-        Self { frame, taken: Vec::new(), labels: Vec::new(), leaders: Vec::new() }
+        Self { frame, taken: Vec::new(), labels: Vec::new(), leaders: Vec::new(), shunned: Vec::new() }
     }
 
     /// Keeps labels off a place.
     pub fn keep_clear(&mut self, rect: Rect) {
         self.taken.push(rect);
+    }
+
+    /// Keeps labels off a place while there is room elsewhere.
+    pub fn shun(&mut self, rect: Rect) {
+        self.shunned.push(rect);
+    }
+
+    /// Whether it is better left free.
+    fn is_shunned(&self, place: Rect) -> bool {
+        self.shunned.iter().any(|shunned| shunned.intersects(place))
     }
 
     /// Whether a place is inside the frame and nothing lies on it.
@@ -107,8 +114,8 @@ impl Placement {
             Some(kept) if !rests => kept,
             Some(kept) => {
                 let better = |new: &Place| {
-                    new.rank() < kept.rank()
-                        || new.rank() == kept.rank() && new.length() + SHORTER < kept.length()
+                    let (new_rank, rank) = (self.rank(new), self.rank(&kept));
+                    new_rank < rank || new_rank == rank && new.length() + SHORTER < kept.length()
                 };
                 self.best(wanted).filter(better).unwrap_or(kept)
             }
@@ -118,6 +125,11 @@ impl Placement {
         self.leaders.extend(place.leader);
         let offset = place.rect.center() - wanted.own[place.point];
         Some((place, Kept { offset, place }))
+    }
+
+    /// Beside its point, with all its words and on nothing that is better left free is best.
+    fn rank(&self, place: &Place) -> (bool, usize, bool) {
+        (place.leader.is_some(), place.size, self.is_shunned(place.rect))
     }
 
     /// The same place beside the point where it is now.
@@ -144,8 +156,10 @@ impl Placement {
                 wanted.own.iter().enumerate().flat_map(of_point)
             })
         };
-        let found =
-            beside().find_map(|(point, size, rect)| self.beside(wanted, point, size, self.pushed_in(rect)));
+        let free =
+            beside().filter_map(|(point, size, rect)| self.beside(wanted, point, size, self.pushed_in(rect)));
+        // The first of the best ones.
+        let found = free.min_by_key(|place| self.rank(place));
         found.or_else(|| {
             (wanted.first..wanted.sizes.len()).find_map(|size| {
                 let led = (0..wanted.own.len()).flat_map(|point| {
@@ -154,7 +168,8 @@ impl Placement {
                 });
                 let cost = |place: &Place| {
                     let away = if wanted.half.contains_rect(place.rect) { 0.0 } else { OTHER_HALF };
-                    place.length() + away
+                    let on_path = if self.is_shunned(place.rect) { SHORTER } else { 0.0 };
+                    place.length() + away + on_path
                 };
                 led.min_by(|a, b| cost(a).total_cmp(&cost(b)))
             })
@@ -203,6 +218,15 @@ impl Placement {
             inwards(place.left(), place.right(), frame.left(), frame.right()),
             inwards(place.top(), place.bottom(), frame.top(), frame.bottom()),
         ))
+    }
+
+    /// Takes the first free place that is not shunned, else the first free one.
+    pub fn take_first(&mut self, places: impl Iterator<Item = Rect>) -> Option<Rect> {
+        let mut free = places.filter(|place| self.is_free(*place)).peekable();
+        let first = *free.peek()?;
+        let place = free.find(|place| !self.is_shunned(*place)).unwrap_or(first);
+        self.labels.push(place.expand(2.0));
+        Some(place)
     }
 }
 
@@ -301,6 +325,20 @@ mod tests {
         }
         let jumps = offsets.windows(2).filter(|pair| (pair[1] - pair[0]).length() > 0.01).count();
         assert!(jumps <= 1, "{jumps} jumps");
+    }
+
+    #[test]
+    fn a_label_lies_on_a_shunned_place_only_where_there_is_no_other() {
+        let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
+        let wanted = lone(frame.center(), Vec2::new(90.0, 28.0));
+        let place = |shunned: Rect| {
+            let mut placement = Placement::new(frame);
+            placement.shun(shunned);
+            placement.label(&wanted, None, true).expect("a place").0
+        };
+        let line = Rect::from_center_size(frame.center(), Vec2::new(4.0, 300.0));
+        assert!(!place(line).rect.intersects(line));
+        assert_eq!(place(frame).leader, None);
     }
 
     fn points() -> impl Strategy<Value = Vec<(Pos2, Vec2)>> {

@@ -13,8 +13,7 @@ use super::{NARROW, NARROWEST, Seen, boundaries, grid, marks};
 use crate::flight::level_boundaries::Boundary;
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::flight::naming::ModeName;
-use crate::number::{fixed, significant};
-use crate::ui::axis_range::round_up;
+use crate::number::{fixed, round_up, significant};
 use crate::ui::theme::{self, Palette};
 
 /// Room above a map for its name and its buttons.
@@ -139,11 +138,15 @@ impl Map<'_> {
             marks::mode(&painter, chart, palette, mode);
         }
 
-        let approximated: Vec<Complex<f64>> = approximated().map(|(_, root)| root).collect();
-        let mut placement = self.occupied(chart, &approximated);
+        let ghosts = seen.ghost.into_iter().flatten().map(|mode| mode.lambda);
+        let others: Vec<Complex<f64>> = ghosts.chain(approximated().map(|(_, root)| root)).collect();
+        let mut placement = self.occupied(chart, &others);
         let written = grid::scale(&painter, chart, palette, &mut placement);
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
         boundaries::keep_clear(chart, &mut placement, home());
+        if let Some((_, locus)) = seen.locus {
+            marks::shun_path(chart, &mut placement, locus);
+        }
         stood.rests = !ui.input(|input| input.pointer.any_down());
         for label in self.labels(&painter, palette, chart, &mut placement, extras.inset, stood) {
             label.draw(&painter, palette.mode(self.modes[label.mode].naming.name));
@@ -154,10 +157,10 @@ impl Map<'_> {
     }
 
     /// All poles and other marks, from which labels keep clear, and the boundary, which none crosses.
-    fn occupied(&self, chart: &Chart, approximated: &[Complex<f64>]) -> Placement {
+    fn occupied(&self, chart: &Chart, others: &[Complex<f64>]) -> Placement {
         let rect = chart.rect;
         let mut placement = Placement::new(rect.shrink(3.0));
-        for root in self.modes.iter().map(|mode| mode.lambda).chain(approximated.iter().copied()) {
+        for root in self.modes.iter().map(|mode| mode.lambda).chain(others.iter().copied()) {
             marks::both(root, |at| {
                 placement.keep_clear(Rect::from_center_size(chart.position(at), Vec2::splat(MARK)));
             });
