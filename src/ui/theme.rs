@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{
     Button, Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response,
-    RichText, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2,
+    RichText, Sense, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2,
 };
 
 use egui_plot::Plot;
@@ -145,6 +145,8 @@ pub fn name_chooser<R>(chooser: InnerResponse<Option<R>>, name: &str, chosen: &s
 /// A plot that fills `rect` and doesn't move under the hand: what it shows is set by its caller.
 pub fn still_plot<'a>(id: impl egui::AsIdSalt, rect: Rect) -> Plot<'a> {
     Plot::new(id)
+        // Not for the keyboard, which would find nothing to do there.
+        .sense(Sense::CLICK | Sense::DRAG)
         .width(rect.width())
         .height(rect.height())
         .show_axes(false)
