@@ -64,8 +64,8 @@ pub fn install(ctx: &Context) {
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
         style.spacing.button_padding = Vec2::new(9.0, 5.0);
         style.spacing.interact_size.y = MOUSE_HEIGHT;
-        // Lists that open may be as tall as the page.
-        style.spacing.default_area_size.y = 1600.0;
+        // A list that opens may be taller than is usual: there are many aircraft.
+        style.spacing.default_area_size.y = 640.0;
         style.spacing.menu_margin = Margin::same(6);
         style.visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);
         style.interaction.selectable_labels = false;
