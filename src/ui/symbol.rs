@@ -21,7 +21,7 @@ use super::fonts;
 /// Set upright, when they stand between what aren't Latin letters.
 const WORDS: [&str; 18] = [
     "cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for",
-    "to", "no", "size",
+    "to", "sample", "size",
 ];
 
 const DOT_ABOVE: char = '\u{307}';
