@@ -164,8 +164,7 @@ fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Cate
         let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
         let note = note_on_roots(modes, ModeName::ShortPeriod);
         let values = vec![(Quantity::DampingRatio, zeta)];
-        let damping =
-            judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
+        let damping = judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
         verdicts.push(Verdict { note, ..damping });
         // CAP = ωₙ²/(n/α)
         let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
@@ -300,8 +299,7 @@ fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>,
         .filter_map(|r| Some((relative(r)?, r)))
         .min_by(|x, y| x.0.total_cmp(&y.0))
         .and_then(|(_, r)| {
-            let across =
-                |o: &&Requirement| o.quantity == r.quantity && o.is_minimum != r.is_minimum;
+            let across = |o: &&Requirement| o.quantity == r.quantity && o.is_minimum != r.is_minimum;
             let other = levels[of.number()].iter().find(across).map(|o| o.limit);
             Some(Governing { requirement: *r, of, other, value: value(r.quantity)? })
         });

@@ -4,7 +4,7 @@ use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, RichText, Stroke
 
 use super::phasors::phasors_ui;
 use super::poles::eigenvalue;
-use super::symbol::{Symbol, symbol_ui};
+use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
@@ -70,7 +70,7 @@ fn verdict_ui(ui: &mut Ui, text: &str, stability: DynamicStability) {
 pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) {
     Frame::new().fill(ground).corner_radius(8).inner_margin(Margin::symmetric(10, 7)).show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(RichText::new(text).font(theme::semibold(12.0)).color(color));
+        ui.label(prose(text, theme::semibold(12.0), color));
     });
 }
 
@@ -232,7 +232,8 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         DynamicStability::Unstable => "unstable",
     };
     chip_ui(ui, text, Palette::of(ui).verdict(mode.stability));
-    let worst = judged(plane, mode).map(|verdict| (verdict.level, verdict.category)).max_by_key(|worst| worst.0);
+    let worst =
+        judged(plane, mode).map(|verdict| (verdict.level, verdict.category)).max_by_key(|worst| worst.0);
     if let Some((level, category)) = worst {
         let (color, ground) = Palette::of(ui).verdict(match level {
             Level::One => DynamicStability::Stable,
@@ -240,7 +241,9 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
             Level::Three | Level::Beyond => DynamicStability::Unstable,
         });
         let mark = if details.levels { "▾" } else { "▸" };
-        let text = RichText::new(format!("{} · {} {mark}", level.text(), category.short())).font(theme::semibold(11.0)).color(color);
+        let text = RichText::new(format!("{} · {} {mark}", level.text(), category.short()))
+            .font(theme::semibold(11.0))
+            .color(color);
         ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
@@ -325,8 +328,8 @@ pub fn approximation_values(approximation: &Approximation) -> String {
                 Some(ModeValue::Root(_)) | None => (None, None),
             };
             let frequency = beside("ωₙ", " rad/s", natural_frequency, exact_frequency, error);
-            let damping = damping_ratio
-                .map(|zeta| beside("ζ", "", zeta, exact_damping, approximation.damping_error()));
+            let damping =
+                damping_ratio.map(|zeta| beside("ζ", "", zeta, exact_damping, approximation.damping_error()));
             [Some(frequency), damping].into_iter().flatten().collect::<Vec<_>>().join("; ")
         }
     };

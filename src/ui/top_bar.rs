@@ -116,6 +116,10 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     ui.spacing_mut().item_spacing.x = if bar.narrow { 6.0 } else { 12.0 };
+    let help = ui.add(Button::new("?").frame(false)).accessible_name("Help: all keys");
+    if help.on_hover_text("Help: all keys (?)").clicked() {
+        action = Some(Action::Help);
+    }
     let look = Look::of(ui.ctx()).next();
     let button = ui.add(Button::new(look.sign()).frame(false));
     if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {

@@ -50,6 +50,8 @@ pub enum Action {
     Redo,
     /// Copy the whole scene as a link.
     CopyLink,
+    /// Open the sheet of keys.
+    Help,
 }
 
 /// A pinned state.
@@ -77,7 +79,7 @@ struct View {
     poles: PoleMap,
     responses: Responses,
     flight: FlightPane,
-    /// The pane that is over the whole page.
+    /// The pane that is alone beside the sliders.
     maximised: Option<Pane>,
     /// Whether the sheet of keys is open.
     help: bool,
@@ -326,6 +328,7 @@ impl App {
                 }
             }
             Action::CopyLink => self.share.copy(ui, &self.link()),
+            Action::Help => self.view.help = true,
         }
     }
 }

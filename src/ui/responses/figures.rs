@@ -70,8 +70,8 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
                 lines.push(format!("Phugoid, first swing of the height: {} m", significant(swing, 3)));
             }
             let elevator = scenario.disturbance.longitudinal.source == Source::Elevator;
-            let parameter = control_anticipation(&motion.model, studied.modes, &motion.forced, 0)
-                .filter(|_| elevator);
+            let parameter =
+                control_anticipation(&motion.model, studied.modes, &motion.forced, 0).filter(|_| elevator);
             if let Some(parameter) = parameter {
                 lines.push(format!(
                     "Control anticipation parameter, from this response: {} rad/s² per g",

@@ -122,7 +122,9 @@ impl FrequencyPlots {
         let mut entries = legend::curves(&pictures);
         entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
             let name = mode.naming.name;
-            Entry { mark: Mark::Upright, color: palette.mode(name), name: format!("ωₙ of {}", name.text()) }
+            Entry {
+                mark: Mark::Upright, color: palette.mode(name), name: format!("ωₙ of {}", name.text())
+            }
         }));
         legend::legend_ui(ui, &entries, beside);
         let [gain, phase] = pictures;
@@ -136,8 +138,7 @@ impl FrequencyPlots {
 fn unsteady(modes: &[Mode]) -> Option<String> {
     let growing = modes.iter().find(|mode| mode.stability == DynamicStability::Unstable)?;
     Some(format!(
-        "{} grows: no sine is ever answered by a steady oscillation. The curves are the transfer function at s = jω, not a \
-         motion that can be seen.",
+        "{} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
         growing.naming.name.text()
     ))
 }

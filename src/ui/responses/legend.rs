@@ -68,9 +68,8 @@ pub fn legend_ui(ui: &mut Ui, entries: &[Entry], beside: Option<Rect>) {
         return;
     }
     let palette = Palette::of(ui);
-    let layout = |entry: &Entry| {
-        ui.painter().layout_no_wrap(entry.name.clone(), theme::small(), palette.weak)
-    };
+    let layout =
+        |entry: &Entry| ui.painter().layout_no_wrap(entry.name.clone(), theme::small(), palette.weak);
     let galleys: Vec<Arc<Galley>> = entries.iter().map(layout).collect();
     let wide = |galley: &Galley| SAMPLE + GAPS.0 + galley.size().x;
     let whole = galleys.iter().map(|galley| wide(galley) + GAPS.1).sum::<f32>() - GAPS.1;
@@ -95,9 +94,7 @@ pub fn legend_ui(ui: &mut Ui, entries: &[Entry], beside: Option<Rect>) {
     };
     let said: Vec<String> =
         entries.iter().map(|entry| format!("{}, {}", entry.name, entry.mark.text())).collect();
-    response.widget_info(|| {
-        WidgetInfo::labeled(Role::Label, true, format!("Legend: {}", said.join("; ")))
-    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("Legend: {}", said.join("; "))));
     for ((entry, galley), place) in entries.iter().zip(galleys).zip(places) {
         let left = area.min + place + Vec2::new(0.0, 0.5 * LINE_HEIGHT);
         sample(ui.painter(), left, entry.mark, entry.color);

@@ -63,7 +63,8 @@ impl Responses {
                 );
             }
             let free = ui.available_rect_before_wrap();
-            let row = Rect::from_x_y_ranges(free.x_range(), ui.min_rect().y_range());
+            // Of several rows, the last.
+            let row = Rect::from_x_y_ranges(free.x_range(), ui.cursor().y_range());
             self.beside = Some(row.with_min_x(row.left() + 8.0));
         });
     }

@@ -232,18 +232,22 @@ fn draw(
 /// Symbol and unit on the left; on the right the value at the cursor.
 fn title(ui: &Ui, rect: Rect, picture: &Picture<'_>, value: Option<f64>) {
     let palette = Palette::of(ui);
-    let value = value.map(|value| {
-        let text = format!("{} {}", significant(value, 3), picture.unit);
-        let galley = ui.painter().layout_no_wrap(text, theme::semibold(11.5), palette.text);
-        let left_top = rect.right_top() + Vec2::new(-4.0 - galley.size().x, 2.0);
-        ui.painter().galley(left_top, galley, palette.text);
-        left_top.x
-    });
-    let room = value.unwrap_or(rect.right()) - rect.left() - 8.0;
     if !picture.quantities.is_empty() {
-        quantities(ui, rect, picture, room);
-        return;
+        quantities(ui, rect, picture);
+    } else {
+        quantity(ui, rect, picture);
     }
+    // Of several quantities nobody could tell whose it is.
+    if let Some(value) = value.filter(|_| picture.quantities.len() < 2) {
+        let text = format!("{} {}", significant(value, 3), picture.unit);
+        let corner = rect.right_top() + Vec2::new(-4.0, 2.0);
+        ui.painter().text(corner, Align2::RIGHT_TOP, text, theme::semibold(11.5), palette.text);
+    }
+}
+
+/// The title of a picture of one quantity.
+fn quantity(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
+    let palette = Palette::of(ui);
     let mut job = Symbol::parse(picture.symbol).job(15.0, palette.text);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     job.append(&format!("  {}", picture.unit), 0.0, weak());
@@ -256,20 +260,23 @@ fn title(ui: &Ui, rect: Rect, picture: &Picture<'_>, value: Option<f64>) {
     ui.painter().galley(rect.min + Vec2::new(2.0, 0.0), galley, palette.text);
 }
 
-/// The title of a picture of several quantities: each with a sample of its curve and, where there is room, its name.
-fn quantities(ui: &Ui, rect: Rect, picture: &Picture<'_>, room: f32) {
+/// The title of a picture of inputs: of each, as far as there is room, a sample of its curve, its symbol and its name.
+fn quantities(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
     let palette = Palette::of(ui);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     let several = picture.quantities.len() > 1;
-    let galleys = |named: bool| -> Vec<_> {
+    let galleys = |with_symbol: bool, with_name: bool| -> Vec<_> {
         let parts = picture.quantities.iter().zip(&picture.curves).enumerate();
         let parts = parts.map(|(i, (symbol, curve))| {
-            let mut job = Symbol::parse(symbol).job(15.0, palette.text);
-            if named {
-                job.append(&format!(" {}", curve.name), 0.0, weak());
+            let mut job = egui::text::LayoutJob::default();
+            if with_symbol {
+                Symbol::parse(symbol).append_to(&mut job, 15.0, palette.text);
+            }
+            if with_name {
+                job.append(curve.name, if with_symbol { 5.0 } else { 0.0 }, weak());
             }
             if i + 1 == picture.quantities.len() {
-                job.append(&format!("  {}", picture.unit), 0.0, weak());
+                job.append(picture.unit, 8.0, weak());
             }
             ui.painter().layout_job(job)
         });
@@ -277,18 +284,22 @@ fn quantities(ui: &Ui, rect: Rect, picture: &Picture<'_>, room: f32) {
     };
     let before = if several { SAMPLE + 4.0 } else { 0.0 };
     let wide = |galley: &egui::Galley| before + galley.size().x + 10.0;
-    let mut shown = galleys(true);
-    if shown.iter().map(|galley| wide(galley)).sum::<f32>() > room {
-        shown = galleys(false);
-    }
+    // Room for the value of one; of several there is none.
+    let room = rect.width() - if several { 0.0 } else { 70.0 };
+    let fits = |shown: &Vec<std::sync::Arc<egui::Galley>>| {
+        shown.iter().map(|galley| wide(galley)).sum::<f32>() <= room
+    };
+    let choices: &[(bool, bool)] = if several { &[(true, true), (false, true)] } else { &[(true, true)] };
+    let shown = choices.iter().map(|&(symbol, name)| galleys(symbol, name)).find(fits);
     let mut left_top = rect.min + Vec2::new(2.0, 0.0);
-    for (galley, curve) in shown.into_iter().zip(&picture.curves) {
+    for (galley, curve) in shown.unwrap_or_else(|| galleys(true, false)).into_iter().zip(&picture.curves) {
         if several {
-            let middle = left_top + Vec2::new(0.0, 0.5 * galley.size().y);
+            let middle = left_top + Vec2::new(0.0, 10.0);
             legend::sample(ui.painter(), middle, legend::Mark::Curve(curve.stroke), curve.color);
         }
         let width = wide(&galley);
-        ui.painter().galley(left_top + Vec2::new(before, 0.0), galley, palette.text);
+        let down = if several { 10.0 - 0.5 * galley.size().y } else { 0.0 };
+        ui.painter().galley(left_top + Vec2::new(before, down), galley, palette.text);
         left_top.x += width;
     }
 }
