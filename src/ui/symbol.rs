@@ -161,7 +161,8 @@ fn script(text: &str) -> (&str, &str) {
     if let Some((inner, after)) = text.strip_prefix('{').and_then(|text| text.split_once('}')) {
         return (inner, after);
     }
-    text.split_at(text.find(|c: char| !c.is_alphanumeric() && c != DOT_ABOVE).unwrap_or(text.len()))
+    let ends = |c: char| !(c.is_alphabetic() || c.is_ascii_digit() || c == DOT_ABOVE);
+    text.split_at(text.find(ends).unwrap_or(text.len()))
 }
 
 /// Parts text into what is italic and what is upright.
