@@ -264,21 +264,24 @@ fn row_ui(
 /// The unit of a row, and below it the value that is in use, where knobs and flight condition have moved it to another.
 fn unit_ui(ui: &mut Ui, unit: &str, in_use: Option<f64>) {
     let palette = Palette::of(ui);
-    let unit = RichText::new(unit).size(10.5).color(palette.weak);
+    let shown_unit = |ui: &mut Ui| ui.label(RichText::new(unit).size(10.5).color(palette.weak));
     let Some(in_use) = in_use else {
-        ui.label(unit);
+        shown_unit(ui);
         return;
     };
     let number = trimmed(in_use, 3);
-    let used = RichText::new(format!("▸ {number}")).font(theme::semibold(10.5)).color(palette.warning);
+    let used = |ui: &mut Ui| {
+        let text = RichText::new(format!("▸ {number}")).font(theme::semibold(10.5)).color(palette.warning);
+        ui.label(text).on_hover_text("The value in use, as the knobs and the flight condition make it");
+    };
+    if unit.is_empty() {
+        used(ui);
+        return;
+    }
     ui.vertical(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
-        ui.spacing_mut().interact_size.y = 12.0;
-        if !unit.text().is_empty() {
-            ui.label(unit);
-        }
-        let used = ui.label(used).accessible_name(format!("{number} in use"));
-        used.on_hover_text("The value in use, as the knobs and the flight condition make it");
+        shown_unit(ui);
+        used(ui);
     });
 }
 

@@ -14,7 +14,7 @@ use crate::flight::handling_qualities::{Level, Verdict};
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::flight::plane::Plane;
 use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict, Stiffness};
-use crate::number::significant;
+use crate::number::{fixed, significant};
 use crate::scenario::Dimension;
 
 /// The verdicts: dynamic, then static, each with its numbers.
@@ -208,8 +208,8 @@ fn approximations<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<It
 fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, String)> {
     let first = approximations(plane, mode).next()?;
     let text = match first.error() {
-        Some(error) if error.abs() <= BEYOND_USE => format!("Approximation {}", signed_percent(error)),
-        Some(_) | None => "Approximation fails".to_owned(),
+        Some(error) if error.abs() <= BEYOND_USE => format!("Approx. {}", signed_percent(error)),
+        Some(_) | None => "Approx. fails".to_owned(),
     };
     let hover = format!(
         "{}. {}\nLeaves out: {}\nPress to see all that the textbooks give.",
@@ -221,7 +221,9 @@ fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, S
 }
 
 fn signed_percent(error: f64) -> String {
-    format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2))
+    let percent = 100.0 * error;
+    let decimals = if percent.abs() < 10.0 { 1 } else { 0 };
+    format!("{}{} %", if error >= 0.0 { "+" } else { "" }, fixed(percent, decimals))
 }
 
 /// Whether it dies away, and the level of handling qualities where there is one.
@@ -241,9 +243,11 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
             Level::Three | Level::Beyond => DynamicStability::Unstable,
         });
         let mark = if details.levels { "▾" } else { "▸" };
-        let text = RichText::new(format!("{} · {} {mark}", level.text(), category.short()))
-            .font(theme::semibold(11.0))
-            .color(color);
+        let short = format!("{} {mark}", level.text());
+        let long = format!("{} · {} {mark}", level.text(), category.short());
+        let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(11.0), color);
+        let fits = galley.size().x + 2.0 * 7.0 <= ui.available_width();
+        let text = RichText::new(if fits { long } else { short }).font(theme::semibold(11.0)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));

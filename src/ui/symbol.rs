@@ -236,7 +236,8 @@ mod tests {
         let job = set("Lift: C_L = W cos γ₀/(½ρV²S), and C_L² of m_α\u{307}.");
         assert_eq!(job.text, "Lift: CL = W cos γ₀/(½ρV²S), and CL² of mα\u{307}.");
         let small = job.sections.iter().filter(|section| section.format.font_id.size < 11.0);
-        let lowered: Vec<&str> = small.map(|section| &job.text[section.byte_range.clone()]).collect();
+        let lowered: Vec<&str> =
+            small.map(|section| &job.text[section.byte_range.start.0..section.byte_range.end.0]).collect();
         assert_eq!(lowered, ["L", "L", "α\u{307}"]);
         for plain in ["", "no symbol", "wing_area", "_", "a _ b", "C_", "thrust_per_throttle is missing"] {
             assert_eq!(set(plain).text, plain);

@@ -366,7 +366,13 @@ fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32) -> Vec<Mark> {
     let step = of_two.unwrap_or(fitting);
     let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
     let label = |value: f64| {
-        if value.abs() >= 1e5 { significant(value, 2) } else { crate::number::fixed(value, decimals) }
+        if value.abs() >= 1e5 {
+            // As many digits as tell it from the next.
+            let digits = (value.abs().log10().floor() - step.log10().floor()).clamp(1.0, 16.0) as usize + 1;
+            significant(value, digits)
+        } else {
+            crate::number::fixed(value, decimals)
+        }
     };
     at(step).into_iter().map(|value| Mark { value, label: label(value) }).collect()
 }
@@ -401,6 +407,8 @@ mod tests {
     use super::marks;
 
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
         /// Of any range that a plot can have, on an axis of any length.
         #[test]
         fn an_axis_has_two_figures_at_least(
