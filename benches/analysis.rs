@@ -123,7 +123,7 @@ fn parts(criterion: &mut Criterion) {
             drop(black_box(handling_qualities(black_box(model), &found, Class::I, Category::B)));
         });
         bench("static_stability", &|| {
-            let _ = black_box(plane_static_stability(black_box(model)));
+            let _ = black_box(plane_static_stability(black_box(model), None));
         });
         let entry = |value: f64| {
             let mut a = model.a;

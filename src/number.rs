@@ -1,4 +1,4 @@
-//! Numbers as a person reads them: significant digits and a true minus sign.
+//! Numbers as a person reads them: significant digits, a true minus sign, round steps.
 
 /// A number with `digits` significant digits, with `−` for minus and an exponent only where digits would run away.
 pub fn significant(value: f64, digits: usize) -> String {
@@ -36,6 +36,18 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// The smallest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ᵏ that is not less than `value`, which must be positive.
+///
+/// Ranges made of such numbers stay the same through small changes of what they hold.
+pub fn round_up(value: f64) -> f64 {
+    let decade = 10_f64.powf(value.log10().floor());
+    [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]
+        .into_iter()
+        .map(|step| step * decade)
+        .find(|&round| round >= value * (1.0 - 1e-12))
+        .unwrap_or(10.0 * decade)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -56,5 +68,12 @@ mod tests {
     fn fixed_decimals_have_no_minus_zero() {
         assert_eq!(fixed(-0.0001, 2), "0.00");
         assert_eq!(fixed(-0.14657, 3), "−0.147");
+    }
+    #[test]
+    fn rounding_up_is_never_less_and_never_a_third_more() {
+        for value in [1e-9, 0.0031, 0.99, 1.0, 1.2, 4.9, 7.1, 9.99, 123.0, 6.5e8] {
+            let round = round_up(value);
+            assert!(round >= value * (1.0 - 1e-12) && round <= 1.34 * value, "{value} → {round}");
+        }
     }
 }

@@ -3,9 +3,12 @@
 use std::sync::{Arc, LazyLock};
 
 use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
+use eigenwing::flight::outputs::Output;
 use eigenwing::flight::plane::Plane;
-use eigenwing::scenario::link::{self, LONGEST, LinkView, Notice, Opened, Tab};
-use eigenwing::scenario::{Page, Parameter, Scenario, Source, parameters};
+use eigenwing::scenario::link::{
+    self, Details, LONGEST, LinkView, Marks, Notice, Opened, Overlays, Pane, Sight, Tab, Viewpoint,
+};
+use eigenwing::scenario::{Page, Parameter, Quantity, Scenario, Source, parameters};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
@@ -63,6 +66,55 @@ fn apply(scenario: &mut Scenario, edits: &[Edit]) {
 }
 
 prop_compose! {
+    fn viewpoints()(
+        standard in any::<Option<Index>>(),
+        azimuth in -180_i16..=180,
+        elevation in -29_i16..=90,
+        distance in 50_i16..=600,
+    ) -> Viewpoint {
+        let all = [Viewpoint::ThreeQuarter, Viewpoint::Chase, Viewpoint::Side, Viewpoint::Top];
+        standard.map_or(Viewpoint::From { azimuth, elevation, distance }, |standard| *standard.get(&all))
+    }
+}
+
+/// A value of the page as it opens as often as another: links are made of what differs.
+fn outputs(plane: Plane, count: usize) -> impl Strategy<Value = Vec<Output>> {
+    prop::collection::vec(prop::sample::select(Output::of(plane)), count)
+}
+
+prop_compose! {
+    fn sights()(
+        shown in (prop::sample::subsequence(Output::of(Plane::Longitudinal), 1..10), prop::sample::subsequence(Output::of(Plane::Lateral), 1..9)),
+        usual_shown in any::<bool>(),
+        pairs in (outputs(Plane::Longitudinal, 5), outputs(Plane::Lateral, 5)),
+        usual_pairs in any::<bool>(),
+        flags in any::<[bool; 16]>(),
+        pane in prop::option::of(prop::sample::select(&[Pane::Poles, Pane::Aircraft, Pane::Response])),
+        viewpoint in viewpoints(),
+        rate in prop::sample::select(&[0.25, 0.5, 1.0, 2.0, 4.0]),
+    ) -> Sight {
+        let usual = Sight::default();
+        let portraits = |of: &[Output]| [(of[0], of[1]), (of[2], of[3])];
+        let [split, approximations, levels, shape, of_levels, of_books, is_looping, usual_overlays, ..] = flags;
+        let [.., body_axes, earth_axes, angles, rates, forces, flow, path, moments] = flags;
+        let overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
+        Sight {
+            shown: if usual_shown { usual.shown } else { [shown.0, shown.1] },
+            split,
+            portraits: if usual_pairs { usual.portraits } else { [portraits(&pairs.0), portraits(&pairs.1)] },
+            frequency_of: if usual_pairs { usual.frequency_of } else { [pairs.0[4], pairs.1[4]] },
+            marks: Marks { approximations, levels },
+            details: Details { shape, levels: of_levels, approximations: of_books },
+            maximised: pane,
+            viewpoint,
+            overlays: if usual_overlays { usual.overlays } else { overlays },
+            rate,
+            is_looping,
+        }
+    }
+}
+
+prop_compose! {
     fn scenes()(
         of in any::<Index>(),
         of_ghost in prop::option::of(any::<Index>()),
@@ -75,6 +127,8 @@ prop_compose! {
         page in any::<Index>(),
         tab in any::<Index>(),
         nonlinear in any::<bool>(),
+        follows in any::<bool>(),
+        sight in sights(),
     ) -> (Scenario, LinkView) {
         let mut scene = Scenario::new(of.get(&AIRCRAFT).clone());
         apply(&mut scene, &on_scene);
@@ -88,13 +142,14 @@ prop_compose! {
             choice.source = *sources[i].get(Source::of(plane));
             choice.mode = modes[i];
         }
+        scene.disturbance.follows = follows;
         let ghost = of_ghost.map(|of| {
             let mut ghost = Scenario::new(of.get(&AIRCRAFT).clone());
             apply(&mut ghost, &on_ghost);
             Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost }
         });
         let pages: Vec<Page> = Page::DERIVATIVES.into_iter().filter(|page| page.is_of(&scene)).collect();
-        let view = LinkView { page: *page.get(&pages), tab: *tab.get(&Tab::ALL), nonlinear, ghost };
+        let view = LinkView { page: *page.get(&pages), tab: *tab.get(&Tab::ALL), nonlinear, ghost, sight };
         (scene, view)
     }
 }
@@ -122,7 +177,8 @@ proptest! {
         pieces in prop::collection::vec((any::<Index>(), 0_usize..4, "(-?[0-9]{1,4}(\\.[0-9]{1,9})?(e-?[0-9]{1,3})?(si)?|nan|-inf|[a-z]{0,6})"), 0..60),
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
-            .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode"]).collect();
+            .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
+                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
@@ -148,7 +204,7 @@ fn assert_sound(opened: &Opened, link: &str) {
     assert_eq!(again.notices, [], "{link}");
 }
 
-/// An aircraft, eight edited numbers, a disturbance, and the state before it pinned.
+/// An aircraft, ten edited numbers, a disturbance, the state before it pinned, and the panes as an instructor sets them.
 fn normal_scene() -> (Scenario, LinkView) {
     let mut ghost = aircraft("b747-approach");
     for (key, value) in [("speed", 92.0), ("cm_alpha", -0.9), ("cn_beta", 0.21)] {
@@ -173,7 +229,21 @@ fn normal_scene() -> (Scenario, LinkView) {
     let choice = scene.disturbance.choice_mut(Plane::Lateral);
     choice.source = Source::Aileron;
     let ghost = Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost };
-    let view = LinkView { tab: Tab::Phase, ghost: Some(ghost), ..LinkView::of(&scene) };
+    let usual = Sight::default();
+    let sight = Sight {
+        shown: [usual.shown[0].clone(), vec![Output::Sideslip, Output::BankAngle, Output::SideLoad]],
+        portraits: [
+            usual.portraits[0],
+            [(Output::Sideslip, Output::YawRate), (Output::RollRate, Output::BankAngle)],
+        ],
+        marks: Marks { approximations: false, levels: true },
+        details: Details { shape: true, ..Details::default() },
+        viewpoint: Viewpoint::From { azimuth: -40, elevation: 12, distance: 140 },
+        overlays: Overlays { forces: false, rates: true, ..Overlays::default() },
+        rate: 0.5,
+        ..usual
+    };
+    let view = LinkView { tab: Tab::Phase, ghost: Some(ghost), sight, ..LinkView::of(&scene) };
     (scene, view)
 }
 
@@ -181,8 +251,8 @@ fn normal_scene() -> (Scenario, LinkView) {
 fn a_normal_scene_is_shorter_than_500_characters() {
     let (scene, view) = normal_scene();
     let link = link::write(&scene, &view);
-    assert!(link.len() < 250, "{}: {link}", link.len());
-    assert_eq!(open(&link).scenario, scene);
+    assert!(link.len() < 450, "{}: {link}", link.len());
+    assert_eq!((open(&link).scenario, open(&link).view), (scene, view));
 }
 
 /// Offsets are differences of numbers that were computed, so they have all their digits.
@@ -279,7 +349,11 @@ fn no_scene_is_too_long_for_a_link() {
             None => p.set(&mut scene, value),
         }
     }
-    let view = LinkView { ghost: Some(scene.clone()), ..LinkView::of(&scene) };
+    let sight = Sight {
+        shown: [Plane::Longitudinal, Plane::Lateral].map(|plane| Output::of(plane).to_vec()),
+        ..Sight::default()
+    };
+    let view = LinkView { ghost: Some(scene.clone()), sight, ..LinkView::of(&scene) };
     let link = link::write(&scene, &view);
     assert!(link.len() > 5000, "not the longest: {}", link.len());
     assert!(link.len() <= LONGEST, "{}", link.len());
@@ -328,6 +402,43 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
         "page" => opened.view.page.text().to_owned(),
         "tab" => opened.view.tab.text().to_owned(),
         "nonlinear" => opened.view.nonlinear.to_string(),
+        "follows" => scenario.disturbance.follows.to_string(),
+        "sight" => format!("{:?}", opened.view.sight == Sight::default()),
+        "shown" => {
+            let keys = |outputs: &Vec<Output>| {
+                outputs.iter().map(|output| Quantity::of(*output).key).collect::<Vec<_>>().join(" ")
+            };
+            opened.view.sight.shown.each_ref().map(keys).join(" / ")
+        }
+        "portraits" => {
+            let pair = |(across, upward): &(Output, Output)| {
+                format!("{} over {}", Quantity::of(*upward).key, Quantity::of(*across).key)
+            };
+            opened.view.sight.portraits.as_flattened().iter().map(pair).collect::<Vec<_>>().join(" / ")
+        }
+        "frequency of" => opened.view.sight.frequency_of.map(|output| Quantity::of(output).key).join(" / "),
+        "split" => opened.view.sight.split.to_string(),
+        "marks" => {
+            let Marks { approximations, levels } = opened.view.sight.marks;
+            format!("{approximations} {levels}")
+        }
+        "details" => {
+            let Details { shape, levels, approximations } = opened.view.sight.details;
+            format!("{shape} {levels} {approximations}")
+        }
+        "pane" => format!("{:?}", opened.view.sight.maximised),
+        "camera" => match opened.view.sight.viewpoint {
+            Viewpoint::From { azimuth, elevation, distance } => format!("{azimuth} {elevation} {distance}"),
+            standard => format!("{standard:?}"),
+        },
+        "drawn" => {
+            let Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments } =
+                opened.view.sight.overlays;
+            let all = [body_axes, earth_axes, angles, rates, forces, flow, path, moments];
+            all.map(|on| if on { "1" } else { "0" }).concat()
+        }
+        "rate" => opened.view.sight.rate.to_string(),
+        "loop" => opened.view.sight.is_looping.to_string(),
         "pinned" => opened.view.ghost.is_some().to_string(),
         "edited" => scenario.is_edited().to_string(),
         key => {

@@ -123,7 +123,7 @@ fn without_speed_stability_the_static_limit_is_pitch_stiffness_zero() {
         [(-1e-6, StaticVerdict::Stable), (0.0, StaticVerdict::Neutral), (1e-6, StaticVerdict::Unstable)]
     {
         model.a[(Longitudinal::Q.index(), Longitudinal::W.index())] = m_w;
-        assert_eq!(plane_static_stability(&model).verdict, expected, "M_w = {m_w}");
+        assert_eq!(plane_static_stability(&model, None).verdict, expected, "M_w = {m_w}");
     }
 }
 

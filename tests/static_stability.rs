@@ -2,11 +2,15 @@
 
 mod reference;
 
+use std::sync::Arc;
+
+use eigenwing::content::embedded_aircraft;
 use eigenwing::flight::modes::{DynamicStability, modes, modes_of};
 use eigenwing::flight::plane::{Plane, PlaneModel};
 use eigenwing::flight::static_stability::{
     PlaneStiffness, StaticVerdict, manoeuvre_margin, plane_static_stability, static_margin,
 };
+use eigenwing::scenario::{Parameter, Scenario};
 use nalgebra::Matrix4;
 use proptest::prelude::*;
 use reference::{NAVION_M_W, all_models, navion_with_m_w, reference, references, sweeps};
@@ -19,7 +23,7 @@ fn navion(plane: Plane) -> PlaneModel {
 fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
     for reference in references() {
         for plane in [Plane::Longitudinal, Plane::Lateral] {
-            match plane_static_stability(&reference.model(plane)).stiffness {
+            match plane_static_stability(&reference.model(plane), None).stiffness {
                 PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
                     assert_eq!(m_w.verdict, StaticVerdict::Stable, "{}", reference.id);
                     assert!(to_manoeuvre_point.expect("a speed") > 0.0);
@@ -34,22 +38,29 @@ fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
 }
 
 #[test]
-fn an_unstable_real_root_alone_is_what_the_verdict_means() {
+fn a_real_root_that_grows_alone_is_what_a_negative_determinant_means() {
     for (id, model) in all_models() {
         let growing = modes(&model).expect("modes");
         let growing = growing
             .iter()
             .filter(|m| !m.is_oscillatory() && m.stability == DynamicStability::Unstable)
             .count();
-        let expected = if growing % 2 == 0 { StaticVerdict::Stable } else { StaticVerdict::Unstable };
-        assert_eq!(plane_static_stability(&model).verdict, expected, "{id}");
+        let found = plane_static_stability(&model, None);
+        assert_eq!(found.determinant > 0.0, growing % 2 == 0, "{id}");
+        if model.plane == Plane::Longitudinal {
+            let expected = if growing == 0 { StaticVerdict::Stable } else { StaticVerdict::Unstable };
+            assert_eq!(found.verdict, expected, "{id}");
+        }
     }
 }
 
 #[test]
 fn the_navion_is_neutral_at_no_stiffness_and_manoeuvres_until_the_manoeuvre_point() {
     let at = |factor: f64| {
-        plane_static_stability(&PlaneModel { a: navion_with_m_w(factor), ..navion(Plane::Longitudinal) })
+        plane_static_stability(
+            &PlaneModel { a: navion_with_m_w(factor), ..navion(Plane::Longitudinal) },
+            None,
+        )
     };
     let verdicts = [1.0, 1e-9, 0.0, -1e-9].map(|factor| at(factor).verdict);
     use StaticVerdict::{Neutral, Stable, Unstable};
@@ -70,7 +81,7 @@ fn the_margins_are_those_of_the_coefficients() {
     assert!((manoeuvre - margin - 0.07272).abs() < 1e-5, "{manoeuvre}");
     // The same from M_w: both distances are to each other as the margins, but for the drag beside CL_α (1.1 %).
     let PlaneStiffness::Longitudinal { to_manoeuvre_point, .. } =
-        plane_static_stability(&navion(Plane::Longitudinal)).stiffness
+        plane_static_stability(&navion(Plane::Longitudinal), None).stiffness
     else {
         panic!("pitch")
     };
@@ -85,18 +96,71 @@ fn the_navions_spiral_is_neutral_where_the_condition_is() {
     let condition = |factor: f64| {
         let mut model = navion(Plane::Lateral);
         model.a[(1, 0)] *= factor;
-        let PlaneStiffness::Lateral { spiral, .. } = plane_static_stability(&model).stiffness else {
+        let PlaneStiffness::Lateral { spiral, .. } = plane_static_stability(&model, None).stiffness else {
             panic!("yaw and roll")
         };
-        (spiral, plane_static_stability(&model).verdict)
+        (spiral, plane_static_stability(&model, None).determinant)
     };
     let (one, _) = condition(1.0);
     assert!(condition(factor).0.value.abs() < 1e-6 * one.value);
     use StaticVerdict::{Stable, Unstable};
     for (by, expected) in [(1.001, Stable), (0.999, Unstable)] {
-        let (spiral, verdict) = condition(factor * by);
-        assert_eq!((spiral.verdict, verdict), (expected, expected));
+        let (spiral, determinant) = condition(factor * by);
+        assert_eq!((spiral.verdict, determinant > 0.0), (expected, expected == Stable));
     }
+}
+
+/// A slow spiral that grows is nothing static, and a nose that turns out of the wind is, whatever det A says.
+#[test]
+fn sideways_the_verdict_is_on_the_moments_of_a_sideslip_not_on_the_spiral() {
+    let lateral = |scale: [f64; 2]| {
+        let mut model = navion(Plane::Lateral);
+        model.a[(1, 0)] *= scale[0];
+        model.a[(2, 0)] *= scale[1];
+        plane_static_stability(&model, None)
+    };
+    // Half the dihedral: the Navion's spiral grows, but a sideslip still rolls and yaws it back.
+    let spiral = lateral([0.5 * sweeps().spiral_neutral_l_beta_factor, 1.0]);
+    assert!(spiral.determinant < 0.0);
+    assert_eq!(spiral.verdict, StaticVerdict::Stable);
+    // Turned out of the wind so hard that two real roots grow: det A is positive again.
+    let weathercock = lateral([1.0, -1.4]);
+    assert!(weathercock.determinant > 0.0);
+    assert_eq!(weathercock.verdict, StaticVerdict::Unstable);
+    assert_eq!(lateral([-0.1, 1.0]).verdict, StaticVerdict::Unstable);
+    assert_eq!(lateral([0.0, 1.0]).verdict, StaticVerdict::Neutral);
+}
+
+/// The number on screen is the slider's, whatever is folded into the matrix.
+#[test]
+fn stiffnesses_are_the_derivatives_where_there_are_any() {
+    let navion = embedded_aircraft().0.into_iter().next().expect("the Navion");
+    let mut scenario = Scenario::new(Arc::new(navion));
+    let row = |key: &str| Parameter::find(key).expect("a row");
+    row("cm_alpha").set(&mut scenario, -0.14);
+    let stability = |scenario: &Scenario, plane: Plane| {
+        let analysis = scenario.analyse().expect("an analysis");
+        analysis.of(plane).expect("a plane").as_ref().expect("modes").static_stability
+    };
+    let pitch = |scenario: &Scenario| {
+        let found = stability(scenario, Plane::Longitudinal);
+        let PlaneStiffness::Longitudinal { m_w, .. } = found.stiffness else { panic!("pitch") };
+        (m_w, found)
+    };
+    let (m_w, found) = pitch(&scenario);
+    assert!((m_w.value - row("m_w").get(&scenario)).abs() < 1e-12);
+    assert!(found.is_plain && m_w.value < 0.0 && m_w.verdict == StaticVerdict::Stable);
+    // The entry of A has M_ẇ Z_w folded in, and another sign here.
+    assert!(row("a_qw").get(&scenario) > 0.0);
+    let PlaneStiffness::Lateral { n_v, l_v, .. } = stability(&scenario, Plane::Lateral).stiffness else {
+        panic!("yaw and roll")
+    };
+    let sliders = ["n_v", "l_v"].map(|key| row(key).get(&scenario));
+    assert!((n_v.value - sliders[0]).abs() < 1e-12 && (l_v.value - sliders[1]).abs() < 1e-12);
+    // An entry that was edited belongs to no derivative.
+    row("a_qw").set(&mut scenario, 0.01);
+    let (m_w, found) = pitch(&scenario);
+    assert!(!found.is_plain && (m_w.value - 0.01).abs() < 1e-12);
 }
 
 #[test]
@@ -105,7 +169,7 @@ fn static_stability_is_neither_needed_nor_enough_for_dynamic_stability() {
     let a = Matrix4::from_row_slice(&[
         -0.045, 0.036, 0.0, -9.81, -0.369, -2.02, 1.76, 0.0, 0.191, -3.96, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
     ]);
-    let found = plane_static_stability(&PlaneModel { a, ..navion(Plane::Longitudinal) });
+    let found = plane_static_stability(&PlaneModel { a, ..navion(Plane::Longitudinal) }, None);
     assert_eq!(found.verdict, StaticVerdict::Stable);
     let modes = modes_of(Plane::Longitudinal, &a).expect("modes");
     assert!(modes.iter().any(|mode| mode.stability == DynamicStability::Unstable));
@@ -118,7 +182,7 @@ proptest! {
     fn no_number_is_ever_not_finite(entries in proptest::collection::vec(prop_oneof![Just(0.0), -10.0..10.0_f64, -1e75..1e75_f64], 16), lateral in any::<bool>()) {
         let mut model = navion(if lateral { Plane::Lateral } else { Plane::Longitudinal });
         model.a = Matrix4::from_row_slice(&entries);
-        let found = plane_static_stability(&model);
+        let found = plane_static_stability(&model, None);
         prop_assert!(found.determinant.is_finite());
         match found.stiffness {
             PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => prop_assert!(m_w.value.is_finite() && to_manoeuvre_point.is_none_or(f64::is_finite)),

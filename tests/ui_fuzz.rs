@@ -74,6 +74,15 @@ const MODIFIERS: [Modifiers; 5] = [
 
 const PAGES: [&str; 3] = ["coefficients", "dimensional", "matrix"];
 const TABS: [&str; 4] = ["time", "phase", "frequency", "figures"];
+/// How the panes are looked at.
+const SIGHTS: [&str; 6] = [
+    "",
+    "&follows=250",
+    "&pane=response&split=modes",
+    "&camera=-40.12.140&drawn=earth.rates&rate=4&loop=off",
+    "&lon.show=nz.x&lat.show=y.v&lon.phase=h.x.u.u&lat.frequency_of=ny",
+    "&marks=approximations.levels&details=shape.levels.approximations",
+];
 
 /// The same numbers on every machine.
 struct Dice(ChaCha8Rng);
@@ -370,7 +379,9 @@ impl Visit {
         let plane = self.dice.of(&["lon", "lat"]);
         let (page, tab) = (self.dice.of(&PAGES), self.dice.of(&TABS));
         let flight = self.dice.of(&["linear", "nonlinear"]);
-        let link = format!("v=1&ac={}&plane={plane}&page={page}&tab={tab}&flight={flight}", self.aircraft[i]);
+        let seen = self.dice.of(&SIGHTS);
+        let link =
+            format!("v=1&ac={}&plane={plane}&page={page}&tab={tab}&flight={flight}{seen}", self.aircraft[i]);
         self.page.state_mut().as_mut().expect("the page has been drawn").open(&link);
     }
 
@@ -400,7 +411,7 @@ impl Visit {
 
     /// A number of events, and all the way back.
     fn leg(&mut self) {
-        let start = self.scenario().clone();
+        let start = self.done();
         let end = self.events + EVENTS_A_LEG;
         while self.events < end {
             for _ in 0..=self.dice.below(14) {
@@ -416,17 +427,31 @@ impl Visit {
         let size = self.size;
         let mut steps = 0;
         loop {
-            let before = self.scenario().clone();
+            let before = (self.scenario().clone(), self.link());
             self.page.key_press_modifiers(Modifiers::COMMAND, Key::Z);
             self.frame(0.1);
-            if *self.scenario() == before {
+            if (self.scenario().clone(), self.link()) == before {
                 break;
             }
             steps += 1;
             assert!(steps < 100, "{size}: a leg is to fit into the history");
         }
         self.edits += steps;
-        assert!(*self.scenario() == start, "{size}, after {} events: {steps} undone", self.events);
+        assert!(self.done() == start, "{size}, after {} events: {steps} undone", self.events);
+    }
+
+    /// What a person has done to the scenario: a time shown that follows is none of it.
+    fn done(&self) -> Scenario {
+        let mut scenario = self.scenario().clone();
+        if scenario.disturbance.follows {
+            scenario.disturbance.sizes.time = 0.0;
+        }
+        scenario
+    }
+
+    /// The whole scene, the pinned state too.
+    fn link(&self) -> String {
+        self.page.state().as_ref().expect("the page has been drawn").link()
     }
 }
 

@@ -1,9 +1,9 @@
 //! Links in the user interface: sharing one, opening one, and what is said of a damaged one.
 
-use egui::accesskit::Role;
+use egui::accesskit::{Role, Toggled};
 use egui::{Key, Modifiers, OutputCommand, Vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::plane::Plane;
 use eigenwing::scenario::Parameter;
 use eigenwing::ui::App;
@@ -170,4 +170,66 @@ fn a_link_of_noise_is_told_in_a_few_lines() {
     assert_eq!(harness.query_all_by_label_contains("⚠").filter(|node| node.rect().top() < 500.0).count(), 5);
     harness.get_by_label_contains("more parts of the link were left out");
     assert!(harness.query_all_by_label_contains("Pole map, All modes").count() == 1);
+}
+
+/// The panes as an instructor sets them before sending a scene.
+#[test]
+fn what_the_panes_show_is_in_the_link_and_opens_again() {
+    let mut harness = page(WIDE);
+    for label in ["View from the right", "Level boundaries", "Split into modes", "Phase"] {
+        harness.get_by_label(label).click();
+        harness.run();
+    }
+    harness.key_press(Key::R);
+    harness.run();
+    let link = app(&mut harness).link();
+    assert_eq!(link, "v=1&ac=navion&tab=phase&split=modes&marks=levels&pane=response&camera=side");
+    let mut other = page(WIDE);
+    open(&mut other, &link);
+    assert_eq!(app(&mut other).link(), link);
+    assert_eq!(other.query_all_by_label("View from the right").count(), 0, "the response has the whole page");
+    other.key_press(Key::Escape);
+    other.run();
+    let toggled = |label: &str| other.get_by_label(label).accesskit_node().toggled();
+    assert_eq!(toggled("View from the right"), Some(Toggled::True));
+    assert_eq!(toggled("Three-quarter view"), Some(Toggled::False));
+    assert_eq!(toggled("Level boundaries"), Some(Toggled::True));
+    assert_eq!(toggled("Textbook approximations"), Some(Toggled::False));
+}
+
+#[test]
+fn the_camera_and_the_quantities_are_in_the_link_and_undo_leaves_them_alone() {
+    let mut harness = page(WIDE);
+    let above = harness.get_by_label("View from the right").rect().center();
+    let from = above + Vec2::new(0.0, 150.0);
+    harness.drag_at(from);
+    harness.run_steps(2);
+    harness.hover_at(from + Vec2::new(80.0, 40.0));
+    harness.run_steps(2);
+    harness.drop_at(from + Vec2::new(80.0, 40.0));
+    harness.run();
+    let link = app(&mut harness).link();
+    let camera = link.strip_prefix("v=1&ac=navion&camera=").expect("a camera and nothing else");
+    assert_eq!(camera.split('.').filter(|number| number.parse::<i16>().is_ok()).count(), 3, "{camera}");
+    let shown = format!("v=1&ac=navion&lon.show=gamma.nz&camera={camera}&drawn=none&rate=0.5&loop=off");
+    open(&mut harness, &shown);
+    assert_eq!(app(&mut harness).link(), shown);
+    harness.get_by_label_contains("Δn_z in g against time");
+    assert_eq!(harness.query_all_by_label_contains("Δu in m/s against time").count(), 0);
+    harness.get_by_label("Undo").click();
+    harness.run();
+    assert_eq!(app(&mut harness).link(), shown, "nothing was done to the aircraft");
+}
+
+/// One sentence for each, and the page as it opens.
+#[test]
+fn a_damaged_view_is_told_and_left_as_it_opens() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&camera=cockpit&lon.show=u.nothing&pane=all");
+    for sentence in
+        ["“camera=cockpit” was left out", "“lon.show=u.nothing” was left out", "“pane=all” was left out"]
+    {
+        harness.get_by_label_contains(sentence);
+    }
+    assert_eq!(app(&mut harness).link(), "v=1&ac=navion");
 }

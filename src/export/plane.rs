@@ -58,12 +58,14 @@ pub struct StaticReport {
     pub verdict: &'static str,
     /// det A.
     pub determinant: f64,
-    /// The stiffnesses behind it.
+    /// Whether the stiffnesses are derivatives as such; else entries of A, with ẇ terms or product of inertia folded in.
+    pub plain_derivatives: bool,
+    /// The stiffnesses.
     #[serde(flatten)]
     pub stiffness: StiffnessReport,
 }
 
-/// The stiffnesses of a plane, in stability axes.
+/// The stiffnesses of a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum StiffnessReport {
@@ -76,9 +78,9 @@ pub enum StiffnessReport {
     },
     /// Yaw and roll.
     Lateral {
-        /// N'v, positive is restoring.
+        /// N_v, positive is restoring.
         weathercock_stiffness: f64,
-        /// L'v, negative is restoring.
+        /// L_v, negative is restoring.
         dihedral_effect: f64,
         /// L'v N'r − N'v L'r, positive is a stable spiral in level flight.
         spiral_condition: f64,
@@ -133,6 +135,7 @@ impl StaticReport {
         Self {
             verdict: static_word(stability.verdict),
             determinant: stability.determinant,
+            plain_derivatives: stability.is_plain,
             stiffness: match stability.stiffness {
                 PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
                     StiffnessReport::Longitudinal { pitch_stiffness: m_w.value, to_manoeuvre_point }

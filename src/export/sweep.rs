@@ -8,10 +8,11 @@ use super::aircraft::AircraftReport;
 use super::plane::{dynamic_word, static_word};
 use super::report::Units;
 use super::subject::{ExportError, Subject, checked, find_parameter, plane_name};
+use crate::flight::edits::Edited;
 use crate::flight::modes::{DynamicStability, Mode, dynamic_stability, modes};
 use crate::flight::plane::{Plane, PlaneModel};
 use crate::flight::static_stability::{StaticVerdict, plane_static_stability};
-use crate::flight::study::{Models, StudyError};
+use crate::flight::study::StudyError;
 use crate::scenario::{Parameter, Scenario};
 
 /// More points than this are refused: a slip of the finger, and more than a file is good for.
@@ -182,7 +183,8 @@ impl Sweep {
     }
 
     fn point(&self, value: f64) -> SweepPoint {
-        let models = match models_at(&self.scenario, self.parameter, value) {
+        let moved = moved(&self.scenario, self.parameter, value);
+        let models = match moved.edited.models() {
             Ok(models) => models,
             Err(error) => {
                 let error = Some(error.to_string());
@@ -193,7 +195,7 @@ impl Sweep {
         let mut error = models.problems.iter().find(is_of).map(ToString::to_string);
         let mut of = |plane: Plane| {
             let model = models.of(plane).filter(|_| self.planes.contains(&plane))?;
-            match sweep_plane(model) {
+            match sweep_plane(model, &moved.edited) {
                 Ok(plane) => Some(plane),
                 Err(problem) => {
                     error.get_or_insert(problem);
@@ -287,16 +289,16 @@ impl Verdict {
     }
 }
 
-fn models_at(scenario: &Scenario, parameter: &Parameter, value: f64) -> Result<Models, StudyError> {
+fn moved(scenario: &Scenario, parameter: &Parameter, value: f64) -> Scenario {
     let mut moved = scenario.clone();
     parameter.set(&mut moved, value);
-    moved.edited.models()
+    moved
 }
 
 /// The planes whose A is not the same at both ends and in the middle. Where there is no such flight, nothing is known of it and
 /// both are kept.
 fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) -> Vec<Plane> {
-    let at = [from, 0.5 * (from + to), to].map(|value| models_at(scenario, parameter, value));
+    let at = [from, 0.5 * (from + to), to].map(|value| moved(scenario, parameter, value).edited.models());
     let is_moved = |plane: &Plane| match &at {
         [Ok(first), Ok(second), Ok(third)] => {
             let a = [first, second, third].map(|models| models.of(*plane).map(|model| model.a));
@@ -307,9 +309,9 @@ fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) 
     [Plane::Longitudinal, Plane::Lateral].into_iter().filter(is_moved).collect()
 }
 
-fn sweep_plane(model: &PlaneModel) -> Result<SweepPlane, String> {
+fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String> {
     let modes = modes(model).map_err(|error| error.to_string())?;
-    let of_static = plane_static_stability(model);
+    let of_static = plane_static_stability(model, edited.derivatives_behind(model.plane).as_ref());
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
     let of_dynamic: DynamicStability = dynamic_stability(worst, fastest);

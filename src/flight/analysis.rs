@@ -154,7 +154,7 @@ pub fn analyse(
     let gravity = longitudinal.as_ref().and_then(gravity_check);
     let problem = |plane: Plane| problems.iter().copied().find(|problem| problem.plane() == Some(plane));
     let plane = |model: Option<PlaneModel>, plane: Plane| match model {
-        Some(model) => Some(analyse_plane(model, task)),
+        Some(model) => Some(analyse_plane(model, edited, task)),
         None => problem(plane).map(|problem| Err(problem.into())),
     };
     let mut analysis = Analysis {
@@ -170,7 +170,11 @@ pub fn analyse(
     Ok(analysis)
 }
 
-fn analyse_plane(model: PlaneModel, task: Option<Task>) -> Result<PlaneAnalysis, AnalysisError> {
+fn analyse_plane(
+    model: PlaneModel,
+    edited: &Edited,
+    task: Option<Task>,
+) -> Result<PlaneAnalysis, AnalysisError> {
     let speed = model.trim.speed;
     if !(speed.is_finite() && speed > 0.0) {
         return Err(AnalysisError::TrimSpeed(speed));
@@ -178,7 +182,7 @@ fn analyse_plane(model: PlaneModel, task: Option<Task>) -> Result<PlaneAnalysis,
     let modes = modes(&model)?;
     Ok(PlaneAnalysis {
         dynamic_stability: worst(modes.iter().map(|mode| mode.stability)),
-        static_stability: plane_static_stability(&model),
+        static_stability: plane_static_stability(&model, edited.derivatives_behind(model.plane).as_ref()),
         approximations: approximations(&model, &modes),
         levels: task
             .map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),

@@ -84,6 +84,13 @@ impl Edited {
         Ok(self.study.to_derivatives()?.map(|study| self.offsets.on(study)))
     }
 
+    /// Dimensional derivatives from which the matrices of a plane follow; `None` where the source has bare matrices, or
+    /// entries have been edited apart from any derivative.
+    pub fn derivatives_behind(&self, plane: Plane) -> Option<DerivativeStudy> {
+        let untouched = *self.offsets.matrices(plane) == MatrixOffsets::default();
+        if untouched { self.derivatives().ok()? } else { None }
+    }
+
     /// The models before the offsets on their matrices.
     pub fn models_of_derivatives(&self) -> Result<Models, StudyError> {
         match self.derivatives()? {

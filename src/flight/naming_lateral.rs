@@ -66,20 +66,24 @@ fn roll_is_on_the_right(shapes: &[Shape], order: &[usize]) -> bool {
 /// Four real roots, named by their order and by how many grow.
 ///
 /// Without directional stiffness the Dutch roll parts into ±√−N'β, with the spiral near zero between the two:
-/// from left to right roll, Dutch roll, spiral, Dutch roll. With two that grow both are the Dutch roll's, the
-/// spiral left of them; with none the spiral is the one nearest zero.
+/// from left to right roll, Dutch roll, spiral, Dutch roll. With two that grow the spiral may have crossed zero, or the
+/// Dutch roll have parted where it grows already, with the spiral left of both its roots: of the two in the middle the
+/// spiral is the one with less sideslip and yaw rate. With none that grows it is the one nearest zero.
 fn four_roots(shapes: &[Shape]) -> Vec<ModeName> {
     use ModeName::{
         DutchRollLessStableRoot as Less, DutchRollMoreStableRoot as More, RollSubsidence, Spiral,
     };
+    let order = real_roots_in_order(shapes);
+    let share = |k: usize| order.get(k).map_or(0.0, |&i| yaw_share(&shapes[i]));
     let growing = shapes.iter().filter(|s| s.grows()).count();
     let in_order = match growing {
         0 => [RollSubsidence, More, Less, Spiral],
         1 => [RollSubsidence, More, Spiral, Less],
-        _ => [RollSubsidence, Spiral, More, Less],
+        _ if share(1) < share(2) => [RollSubsidence, Spiral, More, Less],
+        _ => [RollSubsidence, More, Spiral, Less],
     };
     let mut names = vec![Spiral; shapes.len()];
-    for (&i, name) in real_roots_in_order(shapes).iter().zip(in_order) {
+    for (&i, name) in order.iter().zip(in_order) {
         names[i] = name;
     }
     names

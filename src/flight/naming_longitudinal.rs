@@ -18,10 +18,10 @@ pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
     let diverges = |shape: &Shape| !shape.oscillates() && shape.grows();
     let diverging = shapes.iter().any(diverges);
 
-    (0..shapes.len())
+    let names: Vec<ModeName> = (0..shapes.len())
         .map(|i| {
             let shape = &shapes[i];
-            let name = match (short_period[i], shape.oscillates()) {
+            match (short_period[i], shape.oscillates()) {
                 _ if diverges(shape) => ModeName::Divergence,
                 (true, true) => ModeName::ShortPeriod,
                 (true, false) if leftmost(true) == Some(i) => ModeName::ShortPeriodFastRoot,
@@ -30,10 +30,10 @@ pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
                 (false, true) => ModeName::Phugoid,
                 (false, false) if leftmost(false) == Some(i) => ModeName::PhugoidFastRoot,
                 (false, false) => ModeName::PhugoidSlowRoot,
-            };
-            explain(name, shape)
+            }
         })
-        .collect()
+        .collect();
+    names.iter().zip(shapes).map(|(&name, shape)| explain(name, shape, &names)).collect()
 }
 
 /// Which modes make up the short period.
@@ -54,13 +54,29 @@ fn short_period_members(shapes: &[Shape]) -> Vec<bool> {
     (0..shapes.len()).map(|i| members.contains(&i)).collect()
 }
 
-fn explain(name: ModeName, shape: &Shape) -> Naming {
+/// α is called nearly constant only where it carries less than this.
+const STILL: f64 = 0.05;
+
+fn explain(name: ModeName, shape: &Shape, names: &[ModeName]) -> Naming {
     let short_period_share = short_period_share(shape);
     let fast = percent(short_period_share);
     let slow = percent(1.0 - short_period_share);
     let (confidence, reason) = match name {
         ModeName::ShortPeriod => {
             (short_period_share, format!("α and q carry {fast} of it while speed hardly changes."))
+        }
+        ModeName::ShortPeriodFastRoot if !names.contains(&ModeName::ShortPeriodSlowRoot) => {
+            let other = if names.contains(&ModeName::ThirdOscillatory) {
+                "has met a root of the phugoid: together they are the third oscillatory mode"
+            } else {
+                "grows: it is the divergence"
+            };
+            (
+                short_period_share,
+                format!(
+                    "α and q carry {fast} of it. The short period no longer oscillates: of its two real roots this is the faster, the other {other}."
+                ),
+            )
         }
         ModeName::ShortPeriodFastRoot => (
             short_period_share,
@@ -102,9 +118,16 @@ fn explain(name: ModeName, shape: &Shape) -> Naming {
                 "A real root that grows, with speed and pitch attitude carrying {slow} of it: the aircraft keeps leaving its speed."
             ),
         ),
-        _ => (
+        _ if shape.participation[1] < STILL => (
             1.0 - short_period_share,
             format!("Speed and pitch attitude carry {slow} of it: they trade energy at nearly constant α."),
+        ),
+        _ => (
+            1.0 - short_period_share,
+            format!(
+                "Speed and pitch attitude carry {slow} of it: they trade energy, and α, with {}, swings along.",
+                percent(shape.participation[1])
+            ),
         ),
     };
     naming(name, confidence, reason)

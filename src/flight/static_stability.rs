@@ -1,20 +1,35 @@
 //! Static stability: which way the first moment points, a statement apart from what happens afterwards.
+//!
+//! In pitch it is one statement, det A > 0: without it a real root grows. Sideways it is two, on the moments that a
+//! sideslip calls up: the nose must turn into the wind, N_v > 0, and the wings away from it, L_v < 0 (Etkin & Reid,
+//! *Dynamics of Flight*, §§3.9, 3.11). A slow spiral that grows is neither: the spiral condition stands apart.
 
 use nalgebra::Matrix4;
 
 use super::axes::to_stability_axes;
 use super::plane::{Plane, PlaneModel};
 use super::states::{Lateral, Longitudinal};
+use super::study::DerivativeStudy;
 
 /// Whether a small departure meets a restoring tendency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StaticVerdict {
-    /// det A > 0: no real root can sit to the right of the origin alone.
+    /// It does.
     Stable,
-    /// det A = 0 within rounding: a displaced aircraft has nowhere it prefers.
+    /// It meets none, or nothing that can be told from rounding.
     Neutral,
-    /// det A < 0: a real root grows.
+    /// It meets one that takes it further.
     Unstable,
+}
+
+impl StaticVerdict {
+    fn worse(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Unstable, _) | (_, Self::Unstable) => Self::Unstable,
+            (Self::Neutral, _) | (_, Self::Neutral) => Self::Neutral,
+            (Self::Stable, Self::Stable) => Self::Stable,
+        }
+    }
 }
 
 /// det A and what its sign says: det A > 0 ⇔ an even number of real roots grow, so that none grows alone.
@@ -35,7 +50,7 @@ fn verdict_of_determinant(a: &Matrix4<f64>) -> (StaticVerdict, f64) {
 /// One stiffness: the moment that a displacement calls up, and whether it points back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness {
-    /// Its entry of A \[1/(m·s)\].
+    /// The derivative \[1/(m·s)\].
     pub value: f64,
     /// Stable where the moment points back, neutral where it is zero.
     pub verdict: StaticVerdict,
@@ -52,15 +67,18 @@ impl Stiffness {
     }
 }
 
-/// Static stability in one plane, in stability axes. It says nothing about oscillations.
+/// Static stability in one plane. It says nothing about oscillations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneStaticStability {
-    /// The verdict on the whole plane, from the sign of det A.
+    /// The verdict on the whole plane: longitudinally from the sign of det A, laterally from both stiffnesses.
     pub verdict: StaticVerdict,
     /// det A = λ₁λ₂λ₃λ₄ = E \[1/s⁴\], the constant term of the characteristic polynomial.
     pub determinant: f64,
-    /// The stiffnesses behind it.
+    /// The stiffnesses.
     pub stiffness: PlaneStiffness,
+    /// Whether they are derivatives as such, in the axes of the source; or else entries of A in stability axes, which have
+    /// the ẇ terms or the product of inertia folded in.
+    pub is_plain: bool,
 }
 
 /// The stiffnesses of one plane.
@@ -68,7 +86,7 @@ pub struct PlaneStaticStability {
 pub enum PlaneStiffness {
     /// Pitch.
     Longitudinal {
-        /// Pitch stiffness M_w (the sign of Cm_α): negative is restoring. ẇ terms are folded in.
+        /// Pitch stiffness M_w (the sign of Cm_α): negative is restoring.
         m_w: Stiffness,
         /// By how much M_w would have to grow to come to the manoeuvre point \[1/(m·s)\]: positive in front of it.
         ///
@@ -77,30 +95,36 @@ pub enum PlaneStiffness {
     },
     /// Yaw and roll.
     Lateral {
-        /// Weathercock stability N'v (the sign of Cn_β): positive is restoring.
+        /// Weathercock stability N_v (the sign of Cn_β): positive is restoring.
         n_v: Stiffness,
-        /// Dihedral effect L'v (the sign of Cl_β): negative is restoring.
+        /// Dihedral effect L_v (the sign of Cl_β): negative is restoring.
         l_v: Stiffness,
         /// Spiral condition L'v N'r − N'v L'r \[1/(m·s²)\]: positive is a stable spiral, in level flight.
         spiral: Stiffness,
     },
 }
 
-/// Static stability of a model of either plane.
+/// Static stability of a model of either plane, with the `derivatives` that it follows from, where there are any.
 ///
 /// det A = g (Zu Mw − Mu Zw) longitudinally and g (L'v N'r − N'v L'r) laterally, in level flight (Etkin & Reid, *Dynamics of
 /// Flight*, §§6.5, 6.8: criterion E > 0).
-pub fn plane_static_stability(model: &PlaneModel) -> PlaneStaticStability {
-    let (verdict, determinant) = verdict_of_determinant(&model.a);
+pub fn plane_static_stability(
+    model: &PlaneModel,
+    derivatives: Option<&DerivativeStudy>,
+) -> PlaneStaticStability {
+    let (of_determinant, determinant) = verdict_of_determinant(&model.a);
     let a = to_stability_axes(model).a;
+    let is_plain;
     let stiffness = match model.plane {
         Plane::Longitudinal => {
             let [w, q] = [Longitudinal::W, Longitudinal::Q].map(Longitudinal::index);
             let [z_w, v, m_w, m_q] = [a[(w, w)], a[(w, q)], a[(q, w)], a[(q, q)]];
             // Zw Mq − V (Mw + ΔMw) = 0, the same with ẇ terms folded in
             let to_manoeuvre_point = z_w * m_q / v - m_w;
+            let plain = derivatives.and_then(|d| d.longitudinal).map(|d| d.m_w);
+            is_plain = plain.is_some();
             PlaneStiffness::Longitudinal {
-                m_w: Stiffness::new(m_w, -1.0),
+                m_w: Stiffness::new(plain.unwrap_or(m_w), -1.0),
                 to_manoeuvre_point: to_manoeuvre_point.is_finite().then_some(to_manoeuvre_point),
             }
         }
@@ -108,6 +132,9 @@ pub fn plane_static_stability(model: &PlaneModel) -> PlaneStaticStability {
             let [v, p, r] = [Lateral::V, Lateral::P, Lateral::R].map(Lateral::index);
             let [l_v, l_r, n_v, n_r] = [a[(p, v)], a[(p, r)], a[(r, v)], a[(r, r)]];
             let condition = (l_v * n_r - n_v * l_r).clamp(-f64::MAX, f64::MAX);
+            let plain = derivatives.and_then(|d| d.lateral).map(|d| (d.n_v, d.l_v));
+            is_plain = plain.is_some();
+            let (n_v, l_v) = plain.unwrap_or((n_v, l_v));
             PlaneStiffness::Lateral {
                 n_v: Stiffness::new(n_v, 1.0),
                 l_v: Stiffness::new(l_v, -1.0),
@@ -115,7 +142,11 @@ pub fn plane_static_stability(model: &PlaneModel) -> PlaneStaticStability {
             }
         }
     };
-    PlaneStaticStability { verdict, determinant, stiffness }
+    let verdict = match stiffness {
+        PlaneStiffness::Longitudinal { .. } => of_determinant,
+        PlaneStiffness::Lateral { n_v, l_v, .. } => n_v.verdict.worse(l_v.verdict),
+    };
+    PlaneStaticStability { verdict, determinant, stiffness, is_plain }
 }
 
 /// Static margin H_n = −Cm_α/CL_α, in chords the neutral point is behind the centre of gravity; `None` if CL_α is zero.

@@ -92,7 +92,7 @@ pub struct Sizes {
     pub mode: f64,
     /// All of the above times this, to leave the small disturbances of the linear model.
     pub times: f64,
-    /// Time shown \[s\].
+    /// Time shown \[s\]: where it follows, as it is at present.
     pub time: f64,
 }
 
@@ -118,6 +118,8 @@ pub struct Disturbance {
     pub lateral: Choice,
     /// How strongly, and for how long.
     pub sizes: Sizes,
+    /// Whether the time shown follows the slowest mode that is seen, or stays as a person has set it.
+    pub follows: bool,
 }
 
 impl Source {
@@ -267,6 +269,7 @@ impl Default for Disturbance {
             longitudinal: choice(Source::Elevator, Shape::Step),
             lateral: choice(Source::Rudder, Shape::Pulse),
             sizes: Sizes::default(),
+            follows: true,
         }
     }
 }

@@ -9,6 +9,7 @@ pub mod parameters;
 mod placement;
 mod pose;
 mod quantity;
+mod window;
 
 use std::sync::Arc;
 
@@ -25,6 +26,7 @@ pub use parameters::{Page, Parameter, ValueError, parameters};
 pub use placement::{Obstacle, Placed, PlacementError, by_strength};
 pub use pose::{Flown, MomentArrow, Pose};
 pub use quantity::Quantity;
+pub use window::seen_in;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
 #[derive(Clone, Debug)]

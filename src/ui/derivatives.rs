@@ -8,6 +8,7 @@ use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
+use super::{arrow_keys, finger};
 use crate::content::LengthUnit;
 use crate::flight::coefficients::Coefficients;
 use crate::flight::modes::Mode;
@@ -84,9 +85,10 @@ pub fn derivatives_ui(
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
     let mut touched = None;
-    let area = ScrollArea::vertical().id_salt(("derivatives", page.text(), scenario.plane as usize));
+    let name = ("derivatives", page.text(), scenario.plane as usize);
+    let area = ScrollArea::vertical().max_height(height).auto_shrink([false, rows == Rows::Dense]);
     let mut found = false;
-    area.max_height(height).auto_shrink([false, rows == Rows::Dense]).show(ui, |ui| {
+    finger::scroll_area_ui(ui, name, area, |ui| {
         for group in Group::DERIVATIVES {
             let shown =
                 |p: &&Parameter| p.group == group && p.is_shown(scenario, *page) && is_wanted(p, &wanted);
@@ -117,8 +119,15 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
     ui.horizontal(|ui| {
         let hint = RichText::new("Find a derivative (/)").font(theme::small()).color(palette.weak);
         let width = ui.available_width() - if search.is_empty() { 0.0 } else { 26.0 };
-        let field = TextEdit::singleline(search).hint_text(hint).desired_width(width).font(theme::small());
+        let field = TextEdit::singleline(search)
+            .hint_text(hint)
+            .desired_width(width)
+            .font(theme::small())
+            .align(egui::Align2::LEFT_CENTER);
         let response = ui.add(field).accessible_name("Find a derivative");
+        if response.has_focus() {
+            arrow_keys::keep(ui, &response);
+        }
         let pressed = ui.input(|input| input.key_pressed(SEARCH_KEY) && input.modifiers.is_none());
         if pressed && !ui.text_edit_focused() {
             response.request_focus();
@@ -128,7 +137,7 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
             });
         }
         if !search.is_empty()
-            && ui.add(Button::new("✕").frame(false)).accessible_name("Show all sliders").clicked()
+            && theme::bare_button(ui, true, Button::new("✕")).accessible_name("Show all sliders").clicked()
         {
             search.clear();
         }
@@ -147,12 +156,12 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
     let row = Vec2::new(ui.available_width(), 16.0);
     ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
         ui.spacing_mut().button_padding.y = 0.0;
-        ui.spacing_mut().interact_size.y = 16.0;
+        theme::make_low(ui, 16.0);
         let title = RichText::new(group.text()).font(theme::semibold(11.5));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
         let edited = rows.iter().any(|parameter| parameter.is_edited(scenario));
         if edited {
-            let reset = ui.add(Button::new(RichText::new("↺").font(theme::small())).frame(false));
+            let reset = theme::bare_button(ui, true, Button::new(RichText::new("↺").font(theme::small())));
             let reset = reset.accessible_name(format!("Reset the group {}", group.text()));
             if reset.on_hover_text("All of this group back to the reference").clicked() {
                 for parameter in rows {
@@ -240,7 +249,8 @@ fn row_ui(
         );
         bars_ui(ui, parameter, (in_si, unit), outlook, Vec2::new(bars_width, height));
         if parameter.is_edited(scenario) {
-            let reset = ui.add(Button::new("↺").frame(false)).accessible_name(format!("Reset {name}"));
+            let reset =
+                theme::bare_button(ui, true, Button::new("↺")).accessible_name(format!("Reset {name}"));
             if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
                 parameter.reset(scenario);
             }

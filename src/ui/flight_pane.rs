@@ -4,10 +4,13 @@ use std::collections::HashMap;
 
 use egui::Ui;
 
-use super::aircraft::{AircraftView, Attitude, Axis, Forces, Moment, Picture, Playback, transport_ui};
+use super::aircraft::{
+    AircraftView, Attitude, Axis, Camera, Forces, Moment, Picture, Playback, transport_ui,
+};
 use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
 use crate::number::trimmed;
+use crate::scenario::link::Sight;
 use crate::scenario::{Flown, Pose};
 use crate::shape::{Deflections, Finish, Model};
 
@@ -27,12 +30,30 @@ pub struct FlightPane {
 
 impl Default for FlightPane {
     fn default() -> Self {
-        let playback = Playback { is_looping: true, ..Playback::new(0.0) };
-        Self { view: AircraftView::default(), playback, models: HashMap::new() }
+        let playback = Playback::new(0.0);
+        let mut pane = Self { view: AircraftView::default(), playback, models: HashMap::new() };
+        pane.look(&Sight::default());
+        pane
     }
 }
 
 impl FlightPane {
+    /// From where, what is drawn and how it is played, for a link.
+    pub fn sight(&self, sight: &mut Sight) {
+        sight.viewpoint = self.view.camera.viewpoint();
+        sight.overlays = self.view.overlays;
+        sight.rate = self.playback.rate;
+        sight.is_looping = self.playback.is_looping;
+    }
+
+    /// Looks at it as a link does.
+    pub fn look(&mut self, sight: &Sight) {
+        self.view.camera = Camera::at(sight.viewpoint);
+        self.view.overlays = sight.overlays;
+        self.playback.rate = sight.rate;
+        self.playback.is_looping = sight.is_looping;
+    }
+
     /// Time of the playback \[s\].
     pub fn time(&self) -> f64 {
         self.playback.time

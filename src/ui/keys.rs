@@ -1,19 +1,9 @@
 //! The keys of the page, in one table: what they do is read from here, and so is the sheet that lists them.
 
-use egui::{Grid, Key, Modal, Modifiers, RichText, Ui};
+use egui::{Grid, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui};
 
 use super::theme::{self, Palette};
-
-/// A pane that can stand alone beside the sliders.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pane {
-    /// The pole map.
-    Poles,
-    /// The aircraft in flight.
-    Aircraft,
-    /// The responses.
-    Response,
-}
+use crate::scenario::link::Pane;
 
 impl Pane {
     /// The words on screen.
@@ -111,10 +101,14 @@ pub fn command(ui: &Ui) -> Option<Command> {
     let typing = ui.text_edit_focused();
     // Space presses what has focus.
     let focused = ui.memory(|memory| memory.focused().is_some());
+    // Esc closes what is in front first.
+    let listing = Popup::is_any_open(ui.ctx());
     ui.input_mut(|input| {
         SHORTCUTS.iter().rev().find_map(|shortcut| {
             let takes_text = shortcut.modifiers.is_none();
-            let taken = (typing && takes_text) || (focused && shortcut.key == Key::Space);
+            let taken = (typing && takes_text)
+                || (focused && shortcut.key == Key::Space)
+                || (listing && shortcut.key == Key::Escape);
             // “?” is on another key of every keyboard, mostly with Shift; Esc is also a field's way to give up.
             let pressed = if matches!(shortcut.key, Key::Questionmark | Key::Escape) {
                 !taken && input.key_pressed(shortcut.key)
@@ -134,13 +128,18 @@ pub fn sheet_ui(ui: &Ui) -> bool {
         ui.set_max_width(460.0);
         theme::heading(ui, RichText::new("Keys").heading().size(16.0), 2);
         let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
-        Grid::new("keys").spacing([18.0, 1.0]).show(ui, |ui| {
+        let rows = |ui: &mut Ui| {
             for (keys, text) in own.chain(OF_CONTROLS) {
                 ui.label(RichText::new(keys).font(theme::semibold(12.0)));
                 ui.label(text);
                 ui.end_row();
             }
-        });
+        };
+        // In a low window they scroll, between the heading and the button.
+        let room = ui.content_rect().height() - 150.0;
+        ScrollArea::vertical()
+            .max_height(room)
+            .show(ui, |ui| Grid::new("keys").spacing([18.0, 1.0]).show(ui, rows));
         ui.add_space(4.0);
         let note = "The scroll wheel never changes a number. On a Mac, Ctrl is the command key.";
         ui.label(RichText::new(note).font(theme::small()).color(palette.weak));

@@ -56,6 +56,11 @@ impl Memo {
         self.of.as_ref().is_some_and(|(of, on, _)| of == scenario && *on == page)
     }
 
+    /// The scenario of the last refresh.
+    pub fn scenario(&self) -> Option<&Scenario> {
+        self.of.as_ref().map(|(scenario, _, _)| scenario)
+    }
+
     /// What followed at the last refresh.
     pub fn followed(&self) -> Option<&Followed> {
         self.of.as_ref().map(|(_, _, followed)| followed)

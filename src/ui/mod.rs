@@ -3,8 +3,10 @@
 
 pub mod aircraft;
 mod app;
+mod arrow_keys;
 mod axis_range;
 mod derivatives;
+mod finger;
 mod flight_pane;
 mod fonts;
 mod kept;

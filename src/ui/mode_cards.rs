@@ -1,6 +1,6 @@
 //! A card for each mode, and the two verdicts above them.
 
-use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, RichText, Stroke, Ui, Vec2};
+use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, Response, RichText, Stroke, Ui, Vec2};
 
 use super::phasors::phasors_ui;
 use super::poles::eigenvalue;
@@ -13,9 +13,10 @@ use crate::flight::approximations::{Approximation, ModeValue};
 use crate::flight::handling_qualities::{Level, Verdict};
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::flight::plane::Plane;
-use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict, Stiffness};
+use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict};
 use crate::number::{fixed, significant};
 use crate::scenario::Dimension;
+use crate::scenario::link::Details;
 
 /// The verdicts: dynamic, then static, each with its numbers.
 pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
@@ -32,46 +33,94 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>,
             format!("Dynamically unstable: {}", growing.collect::<Vec<_>>().join(", "))
         }
     };
-    verdict_ui(ui, &dynamic, plane.dynamic_stability);
+    verdict_ui(ui, &dynamic, plane.dynamic_stability).on_hover_text(
+        "What happens in the end: whether every disturbance dies away, for which every pole must be left of the \
+         imaginary axis.",
+    );
 
-    let PlaneStaticStability { verdict, determinant, stiffness } = &plane.static_stability;
-    let (word, relation, stability) = match verdict {
-        StaticVerdict::Stable => ("Statically stable", ">", DynamicStability::Stable),
-        StaticVerdict::Neutral => ("Statically neutral", "≈", DynamicStability::Neutral),
-        StaticVerdict::Unstable => ("Statically unstable", "<", DynamicStability::Unstable),
+    let (text, meaning) = static_words(&plane.static_stability, margins, length);
+    let stability = match plane.static_stability.verdict {
+        StaticVerdict::Stable => DynamicStability::Stable,
+        StaticVerdict::Neutral => DynamicStability::Neutral,
+        StaticVerdict::Unstable => DynamicStability::Unstable,
     };
-    let shown = |stiffness: &Stiffness| {
-        let value = stiffness.value / Dimension::PerLengthSecond.in_si(length);
+    verdict_ui(ui, &text, stability).on_hover_text(meaning);
+}
+
+/// The verdict on static stability in a sentence, and what it means.
+fn static_words(
+    stability: &PlaneStaticStability,
+    margins: Option<Margins>,
+    length: LengthUnit,
+) -> (String, String) {
+    let PlaneStaticStability { verdict, determinant, stiffness, is_plain } = stability;
+    let shown = |value: f64| {
+        let value = value / Dimension::PerLengthSecond.in_si(length);
         format!("{} {}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
     };
-    let stiffnesses = match stiffness {
+    let word = |verdict: &StaticVerdict| match verdict {
+        StaticVerdict::Stable => "stable",
+        StaticVerdict::Neutral => "neutral",
+        StaticVerdict::Unstable => "unstable",
+    };
+    match stiffness {
         PlaneStiffness::Longitudinal { m_w, .. } => {
             let margins = margins.map_or_else(String::new, |margins| {
                 let [neutral, manoeuvre] = [margins.static_margin, margins.manoeuvre_margin];
                 let percent = |x: f64| format!("{} %", significant(100.0 * x, 3));
                 format!(", static margin {}, manoeuvre margin {}", percent(neutral), percent(manoeuvre))
             });
-            format!("pitch stiffness {}{margins}", shown(m_w))
+            let determinant = match verdict {
+                StaticVerdict::Stable => format!("det A = {} 1/s⁴ > 0", significant(*determinant, 3)),
+                StaticVerdict::Neutral => "det A ≈ 0".to_owned(),
+                StaticVerdict::Unstable => format!("det A = {} 1/s⁴ < 0", significant(*determinant, 3)),
+            };
+            let folded = if *is_plain { "" } else { " with ẇ terms" };
+            let text = format!(
+                "Statically {}: {determinant}, pitch stiffness{folded} {}{margins}",
+                word(verdict),
+                shown(m_w.value)
+            );
+            let meaning = "Which way the first moment points. det A is the product of the four eigenvalues: where it is \
+                negative, a real root grows and the aircraft leaves its trim without swinging. It turns negative where \
+                the centre of gravity passes the neutral point, unless the moment also changes with speed.";
+            (text, meaning.to_owned())
         }
         PlaneStiffness::Lateral { n_v, l_v, .. } => {
-            format!("weathercock stability {}, dihedral effect {}", shown(n_v), shown(l_v))
+            let of = |verdict: StaticVerdict| match (n_v.verdict == verdict, l_v.verdict == verdict) {
+                (true, true) => "in yaw and roll",
+                (true, false) => "in yaw",
+                (false, _) => "in roll",
+            };
+            let folded = if *is_plain { "" } else { ", both with the product of inertia" };
+            let text = format!(
+                "Statically {} {}: weathercock stability {}, dihedral effect {}{folded}",
+                word(verdict),
+                of(*verdict),
+                shown(n_v.value),
+                shown(l_v.value)
+            );
+            let meaning = "Which way the first moments of a sideslip point. In yaw the nose must turn into the wind: \
+                weathercock stability is positive. In roll the wings must roll away from it: dihedral effect is \
+                negative. Whether a bank dies away is another question, which the card of the spiral answers.";
+            (text, meaning.to_owned())
         }
-    };
-    let text = format!("{word}: det A = {} {relation} 0, {stiffnesses}", significant(*determinant, 3));
-    verdict_ui(ui, &text, stability);
+    }
 }
 
-fn verdict_ui(ui: &mut Ui, text: &str, stability: DynamicStability) {
+fn verdict_ui(ui: &mut Ui, text: &str, stability: DynamicStability) -> Response {
     let (color, ground) = Palette::of(ui).verdict(stability);
-    banner_ui(ui, text, color, ground);
+    banner_ui(ui, text, color, ground)
 }
 
 /// A sentence on coloured ground, as wide as there is room.
-pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) {
-    Frame::new().fill(ground).corner_radius(8).inner_margin(Margin::symmetric(10, 7)).show(ui, |ui| {
+pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) -> Response {
+    let frame = Frame::new().fill(ground).corner_radius(8).inner_margin(Margin::symmetric(10, 7));
+    let banner = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(prose(text, theme::semibold(12.0), color));
+        ui.label(prose(text, theme::semibold(12.0), color))
     });
+    banner.inner
 }
 
 /// The sentence that gravity and speed don't belong to one system of units, where they don't.
@@ -92,14 +141,6 @@ pub fn units_warning(analysis: &Analysis) -> Option<String> {
         significant(gravity.rate, 2),
         significant(gravity.expected_rate, 2),
     ))
-}
-
-/// Which details the cards show, of all modes alike, so that modes can be compared.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Details {
-    shape: bool,
-    levels: bool,
-    approximations: bool,
 }
 
 /// One mode with what belongs on its card.
@@ -128,7 +169,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
         .inner_margin(Margin { left: 15, right: 10, top: 8, bottom: 9 })
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
-            ui.spacing_mut().interact_size.y = 19.0;
+            theme::make_low(ui, 19.0);
             ui.horizontal(|ui| {
                 let name = RichText::new(mode.naming.name.text()).heading().size(14.0);
                 theme::heading(ui, name.color(color), 3);
@@ -250,6 +291,7 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         let text = RichText::new(if fits { long } else { short }).font(theme::semibold(11.0)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(7.0, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
+        theme::focus_ring(ui, &chip);
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
         let hover = format!(
             "{} of flight: {}. Press to see which paragraphs of MIL-F-8785C set the level.",
@@ -340,11 +382,18 @@ pub fn approximation_values(approximation: &Approximation) -> String {
     format!("{name}: {values}")
 }
 
+/// Height of a number of a card.
+const ENTRY_HEIGHT: f32 = 18.0;
+
 /// One number of a card: symbol, text with its unit, and what it is.
 type Entry = (&'static str, Option<String>, &'static str);
 
 /// The numbers of a mode, two a line.
 pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
+    ui.scope(|ui| entries_ui(ui, mode));
+}
+
+fn entries_ui(ui: &mut Ui, mode: &Mode) {
     let seconds = |t: f64| format!("{} s", significant(t, 3));
     let rate = |w: f64| format!("{} rad/s", significant(w, 3));
     let growth: Entry = if mode.stability == DynamicStability::Unstable {
@@ -372,6 +421,10 @@ pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
         ("τ", mode.time_constant().filter(|tau| *tau > 0.0).map(seconds), "Time constant, −1/λ"),
     ];
     let eigenvalue = format!("{} 1/s", eigenvalue(mode.lambda));
+    if theme::is_for_fingers(ui) {
+        // They are only read: no finger has to hit them.
+        ui.spacing_mut().interact_size.y = ENTRY_HEIGHT;
+    }
     entry_ui(ui, ui.available_width(), &("λ", Some(eigenvalue), "Eigenvalue σ ± jω: growth and frequency"));
     let shown: Vec<&Entry> = entries.iter().filter(|entry| entry.1.is_some()).collect();
     for pair in shown.chunks(2) {
@@ -387,7 +440,7 @@ pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
 fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
     let Some(text) = text else { return };
     let palette = Palette::of(ui);
-    let size = Vec2::new(width, 18.0);
+    let size = Vec2::new(width, ENTRY_HEIGHT);
     let response = ui
         .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(width);

@@ -3,6 +3,7 @@
 use egui::text::{CCursor, CCursorRange};
 use egui::{FontId, Id, Key, Response, TextEdit, Ui};
 
+use super::arrow_keys;
 use super::theme::Palette;
 use crate::scenario::ValueError;
 
@@ -51,6 +52,9 @@ pub fn number_field_ui(
         .char_limit(32)
         .show(ui);
     let mut response = output.response.response.accessible_name(name);
+    if response.has_focus() {
+        arrow_keys::keep(ui, &response);
+    }
     if response.gained_focus() {
         let mut state = output.state;
         let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));

@@ -3,9 +3,10 @@
 use std::ops::RangeInclusive;
 
 use egui::accesskit::{Action, ActionData};
-use egui::{EventFilter, Key, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, emath};
+use egui::{Key, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, emath};
 
 use super::theme::Palette;
+use super::{arrow_keys, finger};
 
 /// Fine steps from one end to the other.
 const FINE_STEPS: f64 = 200.0;
@@ -34,8 +35,11 @@ impl ReferenceSlider<'_> {
     /// Draws it and gives the value that the person has set, if any.
     pub fn show(&self, ui: &mut Ui, size: Vec2) -> (Response, Option<f64>) {
         let (rect, mut response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        let asked = self
-            .by_pointer(&response, rect)
+        // A finger that goes up or down over the slider scrolls the page.
+        let held = finger::works_on(ui, &response);
+        let asked = held
+            .then(|| self.by_pointer(&response, rect))
+            .flatten()
             .or_else(|| self.by_key(ui, &response))
             .or_else(|| self.by_request(ui, &response));
         let asked = if response.double_clicked() { Some(self.reference) } else { asked };
@@ -43,7 +47,7 @@ impl ReferenceSlider<'_> {
         if new.is_some() {
             response.mark_changed();
         }
-        if response.drag_started() || response.clicked() {
+        if held && (response.drag_started() || response.clicked()) {
             response.request_focus();
         }
         self.tell(ui, &response);
@@ -101,8 +105,7 @@ impl ReferenceSlider<'_> {
         if !response.has_focus() {
             return None;
         }
-        let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+        arrow_keys::keep(ui, response);
         ui.input(|input| {
             let presses = |key| f64::from(input.num_presses(key) as u32);
             let arrows = presses(Key::ArrowRight) + presses(Key::ArrowUp)

@@ -2,8 +2,8 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response, RichText,
-    Stroke, TextStyle, Theme, Ui, Vec2,
+    Button, Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response,
+    RichText, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2,
 };
 
 use egui_plot::Plot;
@@ -13,6 +13,31 @@ pub use super::palette::{Look, Palette};
 
 /// Height of a control that a finger may have to hit \[points\].
 pub const TOUCH_HEIGHT: f32 = 44.0;
+
+/// The same for a mouse.
+const MOUSE_HEIGHT: f32 = 26.0;
+
+/// Makes every control as high as a finger needs it, lists included, or as a mouse does. Says whether that is a change.
+pub fn make_room(ctx: &Context, fingers: bool) -> bool {
+    let height = if fingers { TOUCH_HEIGHT } else { MOUSE_HEIGHT };
+    let changes = ctx.style_of(ctx.theme()).spacing.interact_size.y != height;
+    if changes {
+        ctx.all_styles_mut(|style| style.spacing.interact_size.y = height);
+    }
+    changes
+}
+
+/// Whether controls are as high as a finger needs them.
+pub fn is_for_fingers(ui: &Ui) -> bool {
+    ui.spacing().interact_size.y >= TOUCH_HEIGHT
+}
+
+/// A height for a control that is smaller than others: not for a finger.
+pub fn make_low(ui: &mut Ui, height: f32) {
+    if !is_for_fingers(ui) {
+        ui.spacing_mut().interact_size.y = height;
+    }
+}
 
 /// Text that explains, one size down.
 pub fn small() -> FontId {
@@ -38,7 +63,7 @@ pub fn install(ctx: &Context) {
         .into();
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
         style.spacing.button_padding = Vec2::new(9.0, 5.0);
-        style.spacing.interact_size.y = 26.0;
+        style.spacing.interact_size.y = MOUSE_HEIGHT;
         style.spacing.menu_margin = Margin::same(6);
         style.visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);
         style.interaction.selectable_labels = false;
@@ -76,6 +101,21 @@ pub(super) fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
         style.fg_stroke = Stroke::new(1.0, palette.text);
         style.corner_radius = CornerRadius::same(6);
         style.expansion = 0.0;
+    }
+}
+
+/// A button that is its words alone. A frame shows the focus of others; this one has a ring for it.
+pub fn bare_button(ui: &mut Ui, enabled: bool, button: Button<'_>) -> Response {
+    let response = ui.add_enabled(enabled, button.frame(false));
+    focus_ring(ui, &response);
+    response
+}
+
+/// Shows the focus of a button that has no outline of its own.
+pub fn focus_ring(ui: &Ui, response: &Response) {
+    if response.has_focus() {
+        let ring = Stroke::new(2.0, Palette::of(ui).accent);
+        ui.painter().rect_stroke(response.rect.expand(2.0), CornerRadius::same(4), ring, StrokeKind::Outside);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align, Button, ComboBox, Layout, RichText, Ui};
+use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Vec2};
 
 use super::app::{Action, Ghost};
 use super::theme::{self, Look, Palette};
@@ -33,7 +33,7 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         let first = |ui: &mut Ui| {
             let action = aircraft_ui(ui, bar);
             status_ui(ui, bar.scenario);
-            action
+            ui.with_layout(Layout::right_to_left(Align::Center), help_ui).inner.or(action)
         };
         let second = |ui: &mut Ui| {
             let action = plane_ui(ui, bar);
@@ -112,21 +112,35 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     action
 }
 
+/// The sheet of keys, which nobody finds by pressing one.
+fn help_ui(ui: &mut Ui) -> Option<Action> {
+    let least = Vec2::new(if theme::is_for_fingers(ui) { 34.0 } else { 0.0 }, 0.0);
+    let button = theme::bare_button(ui, true, Button::new("?").min_size(least));
+    let button = button.accessible_name("Help: all keys").on_hover_text("Help: all keys (?)");
+    button.clicked().then_some(Action::Help)
+}
+
 /// The tools, from the right edge inwards where there is room.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
-    ui.spacing_mut().item_spacing.x = if bar.narrow { 6.0 } else { 12.0 };
-    let help = ui.add(Button::new("?").frame(false)).accessible_name("Help: all keys");
-    if help.on_hover_text("Help: all keys (?)").clicked() {
-        action = Some(Action::Help);
+    // A sign alone is too narrow for a finger.
+    let (gap, least) = match (theme::is_for_fingers(ui), bar.narrow) {
+        (true, _) => (4.0, 34.0),
+        (false, true) => (6.0, 0.0),
+        (false, false) => (12.0, 0.0),
+    };
+    ui.spacing_mut().item_spacing.x = gap;
+    let least = Vec2::new(least, 0.0);
+    if !bar.narrow {
+        action = help_ui(ui);
     }
     let look = Look::of(ui.ctx()).next();
-    let button = ui.add(Button::new(look.sign()).frame(false));
+    let button = theme::bare_button(ui, true, Button::new(look.sign()).min_size(least));
     if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {
         look.set(ui.ctx());
     }
     let mut tool = |text: &str, name: &str, enabled: bool, asked: Action| {
-        let button = ui.add_enabled(enabled, Button::new(text).frame(false));
+        let button = theme::bare_button(ui, enabled, Button::new(text).min_size(least));
         if button.accessible_name(name).on_hover_text(name).clicked() {
             action = Some(asked);
         }

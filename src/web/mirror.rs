@@ -15,6 +15,8 @@
 //!   dialog, list box …) become elements around them; panels and rows without a name leave no trace.
 //! * The keyboard stays with the canvas (`tabindex="-1"`). Something that focuses an element focuses egui's widget.
 //!   What the keyboard reaches or changes on the canvas is announced, for the browser's own focus stays on the canvas.
+//! * While an element has the browser's focus, egui has the page's, and gets the keys that the element has no use for: the
+//!   canvas hears none of them. Tab, or the end of the element, gives the browser's focus back to the canvas.
 //! * While frames come fast, egui makes a tree ten times a second only; after the last frame it makes one more.
 //!
 //! The page brings two elements and this style. Without `#mirror` the plugin does nothing.
@@ -31,6 +33,7 @@
 //! ```
 
 mod element;
+mod typed;
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -39,7 +42,7 @@ use std::mem;
 use egui::accesskit::{self, Action, ActionData, ActionRequest, Node, NodeId, Role, TreeUpdate};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
-use web_sys::{Document, Element, Event, HtmlInputElement, KeyboardEvent};
+use web_sys::{Document, Element, Event, FocusOptions, HtmlElement, HtmlInputElement, KeyboardEvent};
 
 use element::{Kind, Picture, Shown};
 
@@ -47,7 +50,7 @@ use element::{Kind, Picture, Shown};
 const INTERVAL_MS: i32 = 100;
 
 /// Heard at the root, for all elements in it.
-const EVENTS: [&str; 6] = ["click", "input", "change", "keydown", "focusin", "focusout"];
+const EVENTS: [&str; 7] = ["click", "input", "change", "keydown", "keyup", "focusin", "focusout"];
 
 /// Add it with `ctx.add_plugin(Mirror)`.
 #[derive(Clone, Copy, Debug, Default)]
@@ -116,15 +119,16 @@ struct Page {
     timer: Option<i32>,
     /// A frame was drawn without one.
     missed: bool,
-    requests: Vec<ActionRequest>,
+    /// What egui is to hear of next: action requests, keys.
+    events: Vec<egui::Event>,
     /// An element that the browser's focus has left, which egui has no request for.
     left: Option<NodeId>,
     /// Something was chosen from a list, which is to close.
     chosen: bool,
     /// What has egui's focus, and its value: the last that was announced.
     told: (NodeId, String),
-    /// Of all [`EVENTS`].
-    listener: Closure<dyn FnMut(Event)>,
+    /// Of all [`EVENTS`]; what it does may cause another of them.
+    listener: Closure<dyn Fn(Event)>,
     on_timer: Closure<dyn FnMut()>,
 }
 
@@ -133,7 +137,7 @@ impl Page {
         let document = web_sys::window()?.document()?;
         let root = document.get_element_by_id("mirror")?;
         root.set_text_content(None);
-        let listener = Closure::<dyn FnMut(Event)>::new(|event: Event| {
+        let listener = Closure::<dyn Fn(Event)>::new(|event: Event| {
             with_page(|page| page.hear(&event));
         });
         for name in EVENTS {
@@ -150,7 +154,7 @@ impl Page {
             children: Vec::new(),
             timer: None,
             missed: false,
-            requests: Vec::new(),
+            events: Vec::new(),
             left: None,
             chosen: false,
             told: (NodeId(0), String::new()),
@@ -161,9 +165,10 @@ impl Page {
 
     /// Gives egui what was asked for, and in the frame after it what follows from that.
     fn pass_on(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
-        if !self.requests.is_empty() {
-            let requests = self.requests.drain(..).map(egui::Event::AccessKitActionRequest);
-            input.events.extend(requests);
+        // A widget without the page's focus would neither show its own nor hear a key.
+        input.focused |= self.has_browser_focus();
+        if !self.events.is_empty() {
+            input.events.append(&mut self.events);
             if self.left.is_some() || self.chosen {
                 ctx.request_repaint();
             }
@@ -216,6 +221,7 @@ impl Page {
             orders: Vec::new(),
         };
         let mut children = Vec::new();
+        let had_focus = self.has_browser_focus();
         self.write_node(&mut tree, root, None, &mut children);
         // Those gone leave first, so that none of those that stay has to be moved, which would lose it the focus.
         self.shown.retain(|id, shown| {
@@ -237,13 +243,32 @@ impl Page {
             place(&self.shown, &self.root, &children);
             self.children = children;
         }
+        if had_focus && !self.has_browser_focus() {
+            // What had it is gone, and keys would reach nobody. eframe sees that the canvas has it in the next frame.
+            self.focus_canvas();
+            self.ctx.request_repaint();
+        }
         self.announce_focus(update.focus);
+    }
+
+    /// Whether the browser's focus is on an element of the mirror.
+    fn has_browser_focus(&self) -> bool {
+        self.document.active_element().is_some_and(|active| self.root.contains(Some(&active)))
+    }
+
+    fn focus_canvas(&self) {
+        let canvas = self.document.query_selector("canvas").ok().flatten();
+        if let Some(canvas) = canvas.and_then(|canvas| canvas.dyn_into::<HtmlElement>().ok()) {
+            let options = FocusOptions::new();
+            options.set_prevent_scroll(true);
+            // Without it the keys stay where they are.
+            let _ = canvas.focus_with_options(&options);
+        }
     }
 
     /// Says what the keyboard has reached on the canvas, or what it has made of that.
     fn announce_focus(&mut self, focus: NodeId) {
-        let on_element =
-            self.document.active_element().is_some_and(|active| self.root.contains(Some(&active)));
+        let on_element = self.has_browser_focus();
         let pressed = self.ctx.input(|input| input.pointer.any_down());
         let focused = self.shown.get(&focus).filter(|shown| !shown.picture.kind.holds());
         let (name, value) = focused.map(|shown| shown.picture.spoken()).unwrap_or_default();
@@ -319,6 +344,19 @@ impl Page {
             return;
         };
         let kind = shown.picture.kind;
+        if let Some(key) = event.dyn_ref::<KeyboardEvent>()
+            && !kind.uses_key(&key.key())
+        {
+            if kind.is_typed() {
+                shown.finish_typing();
+            }
+            if key.key() == "Tab" && event.type_() == "keydown" {
+                // From here the canvas has the keyboard. egui's focus stays where it is until egui has gone on.
+                self.focus_canvas();
+            }
+            typed::hear(key, &mut self.events);
+            return self.ctx.request_repaint();
+        }
         let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
         let (action, data) = match (event.type_().as_str(), kind) {
             ("focusin", kind) if shown.picture.focusable => {
@@ -361,7 +399,15 @@ impl Page {
             _ => shown.forget_state(),
         }
         let target_tree = accesskit::TreeId::ROOT;
-        self.requests.push(ActionRequest { action, target_tree, target_node: id, data });
+        let mut ask = |action, data| {
+            let request = ActionRequest { action, target_tree, target_node: id, data };
+            self.events.push(egui::Event::AccessKitActionRequest(request));
+        };
+        if matches!(action, Action::Increment | Action::Decrement) {
+            // A key has been pressed on it, so it has the focus again if Escape has taken it away.
+            ask(Action::Focus, None);
+        }
+        ask(action, data);
         self.ctx.request_repaint();
     }
 }

@@ -65,7 +65,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     assert.equal(await playback(), time);
   });
 
-  await t.test("Tab finds the playback, and an arrow key scrubs it", async () => {
+  await t.test("Tab finds the playback, and arrow keys scrub it both ways", async () => {
     const told = () => page.locator("#announcements").textContent();
     for (let i = 0; i < 60 && !(await told()).startsWith(PLAYBACK); i += 1) {
       // What is announced comes a little after what is reached.
@@ -74,11 +74,57 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
       await until(told, (now) => now !== before, "the next control is announced");
     }
     assert.match(await told(), new RegExp(`^${PLAYBACK}`));
-    const before = await playback();
+    await press("Home");
+    await until(playback, (time) => time === 0, "at the start");
     await press("ArrowRight");
-    await until(playback, (time) => time > before, "forward");
-    await rest();
+    const step = await until(playback, (time) => time > 0, "forward");
+    const at = (steps) => (time) => Math.abs(time - steps * step) < 1e-6;
+    // One after the other as fast as they are heard: none of them takes the focus elsewhere.
+    for (const key of ["ArrowRight", "ArrowRight", "ArrowUp", "ArrowRight", "ArrowLeft", "ArrowRight"]) await press(key);
+    await until(playback, at(5), "five steps forward");
+    for (const key of ["ArrowLeft", "ArrowDown", "ArrowLeft"]) await press(key);
+    await until(playback, at(2), "three back");
+    await press("End");
+    const end = await until(playback, (time) => time > 20 * step, "to the end");
+    await press("ArrowRight");
+    await press("ArrowLeft");
+    await until(playback, (time) => time < end, "it stops there, and comes back");
     await press("Escape");
+    await rest();
+  });
+
+  await t.test("a letter key works after something was set by other means than the keyboard", async () => {
+    const before = await state();
+    const focused = () => page.evaluate(() => document.activeElement.ariaLabel);
+    await slider(PITCH_STIFFNESS).fill("-0.5");
+    await until(state, (now) => now.parameters.cm_alpha === -0.5, "set");
+    assert.equal(await focused(), PITCH_STIFFNESS);
+    await press("g");
+    await counts(page.getByText("○ pinned: Navion, edited"), 1, "pinned");
+    await press("g");
+    await counts(page.getByText("○ pinned: Navion, edited"), 0, "unpinned");
+    await press("a");
+    await counts(heading("Pole map"), 0, "only the aircraft");
+    await press("Escape");
+    await counts(heading("Pole map"), 1, "and back");
+    // The focus is still there, for a screen reader to go on from; Tab leads on from it, not from the start.
+    assert.equal(await focused(), PITCH_STIFFNESS);
+    await press("ArrowLeft");
+    await until(state, (now) => now.parameters.cm_alpha < -0.5, "a step");
+    await press("Tab");
+    const told = () => page.locator("#announcements").textContent();
+    await until(told, (now) => now.startsWith(`${PITCH_STIFFNESS}, typed`), "its number is next");
+    await press("Tab");
+    await until(told, (now) => now.startsWith(`Reset ${PITCH_STIFFNESS}`), "then the way back");
+    // The button goes with what it undoes; keys are heard nonetheless.
+    await button(`Reset ${PITCH_STIFFNESS}`).focus();
+    await press("Enter");
+    await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "as before");
+    await counts(button(`Reset ${PITCH_STIFFNESS}`), 0, "it is gone");
+    await press("?");
+    await counts(heading("Keys"), 1, "the sheet");
+    await press("Escape");
+    await counts(heading("Keys"), 0, "closed");
   });
 
   await t.test("P, A and R take a pane over the page and Esc puts it back", async () => {
@@ -206,7 +252,7 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
     await counts(something, 1, pane);
   }
   const before = await state();
-  const { x, y, width } = await middle(page.getByRole("slider", { name: "lift-curve slope C_Lα", exact: true }));
+  const { x, y, width } = await middle(page.getByRole("slider", { name: "trim lift C_L", exact: true }));
   const devtools = await page.context().newCDPSession(page);
   const finger = (type, points) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await finger("touchStart", [{ x, y }]);
@@ -215,9 +261,60 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
     await sleep(30);
   }
   await finger("touchEnd", []);
-  const after = await until(state, (now) => now.parameters.cl_alpha > before.parameters.cl_alpha, "drawn along");
+  const after = await until(state, (now) => now.parameters.cl > before.parameters.cl, "drawn along");
   await sleep(300);
   assert.deepEqual((await state()).parameters, after.parameters, "it stays where the finger left it");
+
+  // Draws fingers, which are points of the screen, along together.
+  const swipe = async (fingers, dx, dy) => {
+    const at = (i) => fingers.map((point, id) => ({ x: point.x + (i * dx) / 6, y: point.y + (i * dy) / 6, id }));
+    await finger("touchStart", at(0));
+    for (let i = 1; i <= 6; i += 1) {
+      await finger("touchMove", at(i));
+      await sleep(30);
+    }
+    await sleep(300);
+    await finger("touchEnd", []);
+  };
+  const map = await page.getByRole("img", { name: /^Pole map, All modes/ }).boundingBox();
+  const pole = () => middle(page.getByRole("button", { name: /^Short period pole, / }));
+  const row = () => middle(page.getByRole("slider", { name: "pitching moment due to Mach number C_mM", exact: true }));
+  const [poleBefore, rowBefore] = [await pole(), await row()];
+  await swipe([{ x: map.x + 14, y: map.y + 24 }], 3, -60);
+  await until(row, (now) => now.y < rowBefore.y - 30, "up on the map scrolls the sliders below it");
+  const scrolled = await row();
+  await swipe([scrolled], 3, 40);
+  await until(row, (now) => now.y > scrolled.y + 20, "down on a slider scrolls too");
+  assert.deepEqual((await state()).parameters, after.parameters, "and nothing is set");
+  assert.deepEqual(await pole(), poleBefore, "nor is the map moved");
+  await swipe([{ x: map.x + 50, y: map.y + 60 }, { x: map.x + 90, y: map.y + 80 }], -20, 25);
+  await until(pole, (now) => now.x < poleBefore.x - 10 && now.y > poleBefore.y + 10, "two fingers move the map");
+  await swipe([await pole()], -4, -20);
+  await until(state, (now) => now.parameters.cm_alpha < after.parameters.cm_alpha, "one finger on a pole takes it");
+  assertClean(seen);
+});
+
+test("on a screen of two pixels a point the page is sharp, whole, at rest, and where it is touched", async (t) => {
+  const { page, ready, state, slider, seen, screenshot, rest } = await open(t, { scale: 2 });
+  await ready();
+  const [pixels, points] = await page.evaluate(() => [document.getElementById("eigenwing").width, innerWidth]);
+  assert.equal(pixels, 2 * points, "as many pixels as the screen has");
+  await rest();
+  await screenshot("sharp");
+  const right = await page.evaluate(() =>
+    Math.max(...[...document.querySelectorAll("#mirror button")].map((button) => button.getBoundingClientRect().right)),
+  );
+  assert.ok(right <= points && right > 0.9 * points, `buttons reach to ${right} of ${points}`);
+  const lift = slider("trim lift C_L");
+  const { x, y, width } = await middle(lift);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 4; i += 1) await page.mouse.move(x + (i * width) / 16, y);
+  await page.mouse.up();
+  const [least, most] = [Number(await lift.getAttribute("min")), Number(await lift.getAttribute("max"))];
+  // Three quarters of the way along the slider, but for the ends of its rail.
+  const wanted = least + (0.5 + (0.25 * width) / (width - 14)) * (most - least);
+  await until(state, (now) => Math.abs(now.parameters.cl - wanted) < 0.03 * (most - least), `it is drawn to ${wanted}`);
   assertClean(seen);
 });
 

@@ -54,15 +54,18 @@ after(async () => {
   for (const browser of browsers.values()) await (await browser).close();
 });
 
-// Options: `viewport`, `colorScheme`, `touch`; `flags` for the browser; `path` of another page ("example/") and `fragment`
-// of the address ("#v=1&ac=navion"); `before`, a
-// function run in the page before its scripts; `server`, as in server.mjs; `waitUntil`, as in Playwright's `goto`.
+// Options: `viewport`, `colorScheme`, `touch`; `scale`, pixels a point of a real screen, for a play-acted one tells the
+// canvas other sizes than a real one; `flags` for the browser; `path` of another page ("example/") and `fragment` of the
+// address ("#v=1&ac=navion"); `before`, a function run in the page before its scripts; `server`, as in server.mjs;
+// `waitUntil`, as in Playwright's `goto`.
 // Closes itself when the test ends.
 export async function open(t, options = {}) {
-  const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false } = options;
-  const browser = await browserWith(options.flags ?? []);
+  const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false, scale } = options;
+  const screen = scale ? [`--force-device-scale-factor=${scale}`, `--window-size=${viewport.width},${viewport.height}`] : [];
+  const browser = await browserWith([...screen, ...(options.flags ?? [])]);
   const server = await serve(options.server);
-  const context = await browser.newContext({ viewport, colorScheme, hasTouch: touch, isMobile: touch });
+  const acted = scale ? { viewport: null } : { viewport, hasTouch: touch, isMobile: touch };
+  const context = await browser.newContext({ colorScheme, ...acted });
   t.after(async () => {
     await context.close();
     server.close();

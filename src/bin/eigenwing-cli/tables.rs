@@ -114,12 +114,14 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
         of_static.verdict,
         number(of_static.determinant)
     );
+    // The prime: something is folded in.
+    let [m, n, l] = if of_static.plain_derivatives { ["M", "N", "L"] } else { ["M'", "N'", "L'"] };
     text += &match of_static.stiffness {
         StiffnessReport::Longitudinal { pitch_stiffness, .. } => {
-            format!("Pitch stiffness M_w = {} 1/(m·s)\n", number(pitch_stiffness))
+            format!("Pitch stiffness {m}w = {} 1/(m·s)\n", number(pitch_stiffness))
         }
         StiffnessReport::Lateral { weathercock_stiffness, dihedral_effect, .. } => format!(
-            "Weathercock stiffness N'v = {} 1/(m·s), dihedral effect L'v = {} 1/(m·s)\n",
+            "Weathercock stability {n}v = {} 1/(m·s), dihedral effect {l}v = {} 1/(m·s)\n",
             number(weathercock_stiffness),
             number(dihedral_effect)
         ),

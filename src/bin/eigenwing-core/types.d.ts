@@ -168,6 +168,8 @@ export interface StaticStability {
   verdict: Stability;
   /** det A. */
   determinant: number;
+  /** Whether the stiffnesses are derivatives as such; else entries of A, with other derivatives folded in. */
+  plain_derivatives: boolean;
   pitch_stiffness?: number;
   to_manoeuvre_point?: number | null;
   weathercock_stiffness?: number;

@@ -13,11 +13,13 @@
 mod notice;
 mod number;
 mod pieces;
+mod sight;
 mod words;
 
 use std::sync::Arc;
 
 pub use notice::Notice;
+pub use sight::{Details, Marks, Overlays, Pane, Sight, Viewpoint};
 pub use words::Tab;
 
 use super::{Page, Parameter, Scenario, Shape, parameters};
@@ -42,6 +44,8 @@ pub struct LinkView {
     pub nonlinear: bool,
     /// The pinned state. Its disturbance and plane are those of the scene.
     pub ghost: Option<Scenario>,
+    /// What is shown in the panes, and from where.
+    pub sight: Sight,
 }
 
 /// What a link leads to.
@@ -58,7 +62,13 @@ pub struct Opened {
 impl LinkView {
     /// The view that a link without a word about it leads to.
     pub fn of(scenario: &Scenario) -> Self {
-        Self { page: Page::of(scenario), tab: Tab::default(), nonlinear: false, ghost: None }
+        Self {
+            page: Page::of(scenario),
+            tab: Tab::default(),
+            nonlinear: false,
+            ghost: None,
+            sight: Sight::default(),
+        }
     }
 }
 
@@ -86,6 +96,7 @@ pub fn write(scenario: &Scenario, view: &LinkView) -> String {
     {
         pieces.push(("flight".to_owned(), word.to_owned()));
     }
+    pieces.extend(view.sight.write());
     if let Some(ghost) = &view.ghost {
         write_aircraft(ghost, words::PINNED, &mut pieces);
     }
@@ -130,9 +141,14 @@ fn write_disturbance(scenario: &Scenario, pieces: &mut Vec<(String, String)>) {
             pieces.push((format!("{}.mode", words::plane(plane)), (choice.mode + 1).to_string()));
         }
     }
+    let disturbance = &scenario.disturbance;
     for p in parameters().filter(|p| p.page == Page::Disturbance) {
-        if p.get(scenario) != p.get(&reference) {
-            pieces.push((p.key.to_owned(), number::write(p.get(scenario), unit(p))));
+        let is_time = p.key == words::TIME;
+        // A time that stays is always told: without a word it follows.
+        let stays = is_time && !disturbance.follows;
+        if p.get(scenario) != p.get(&reference) || stays {
+            let key = if is_time && disturbance.follows { words::FOLLOWS } else { p.key };
+            pieces.push((key.to_owned(), number::write(p.get(scenario), unit(p))));
         }
     }
 }
@@ -165,7 +181,8 @@ pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
     read_plane(&mut pieces, &mut scenario);
     read_disturbance(&mut pieces, &mut scenario);
     let ghost = read_ghost(&mut pieces, &scenario, aircraft);
-    let mut view = LinkView { ghost, ..LinkView::of(&scenario) };
+    let sight = Sight::read(&mut pieces);
+    let mut view = LinkView { ghost, sight, ..LinkView::of(&scenario) };
     if let Some(page) = pieces.take_word("page", &words::PAGES) {
         if page.is_of(&scenario) {
             view.page = page;
@@ -260,13 +277,24 @@ fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
         choice.gust_shape = gust.unwrap_or(choice.gust_shape);
         choice.mode = mode.unwrap_or(choice.mode);
     }
+    if let Some(time) = Parameter::find(words::TIME)
+        && let Some(value) = read_number(pieces, words::FOLLOWS, time, scenario)
+    {
+        time.set(scenario, value);
+        scenario.disturbance.follows = true;
+    }
     for p in parameters().filter(|p| p.page == Page::Disturbance) {
-        let Some(text) = pieces.take(p.key) else { continue };
-        let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
-        if let Some(value) = pieces.accept(p.key, p, accepted) {
+        if let Some(value) = read_number(pieces, p.key, p, scenario) {
             p.set(scenario, value);
         }
     }
+}
+
+/// The number of a key, where there is one that the parameter accepts \[SI\].
+fn read_number(pieces: &mut Pieces, key: &str, p: &Parameter, scenario: &Scenario) -> Option<f64> {
+    let text = pieces.take(key)?;
+    let accepted = number::read(&text, unit(p)).and_then(|x| p.check(scenario, x));
+    pieces.accept(key, p, accepted)
 }
 
 fn read_ghost(pieces: &mut Pieces, scene: &Scenario, aircraft: &[Arc<Aircraft>]) -> Option<Scenario> {

@@ -1,6 +1,7 @@
 //! The words of a link that are no parameters. They never change, whatever the program calls things.
 
 use super::super::{Page, Shape, Source};
+use super::sight::{Pane, Viewpoint};
 use crate::flight::plane::Plane;
 
 /// Before the key of a derivative or matrix entry: the number is added to the value that follows from the rest.
@@ -8,6 +9,12 @@ pub(super) const ADDED: &str = "add.";
 
 /// Before the keys of the pinned state.
 pub(super) const PINNED: &str = "pin.";
+
+/// The parameter of the time shown: with a value it stays.
+pub(super) const TIME: &str = "time";
+
+/// The time shown, where it follows the slowest mode that is seen: its value at present.
+pub(super) const FOLLOWS: &str = "follows";
 
 /// In which way the response is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,6 +55,35 @@ pub(super) const TABS: [(&str, Tab); 4] =
 
 /// Whether the nonlinear flight is drawn too.
 pub(super) const FLIGHTS: [(&str, bool); 2] = [("linear", false), ("nonlinear", true)];
+
+/// Whether motions over time are split into modes.
+pub(super) const SPLITS: [(&str, bool); 2] = [("whole", false), ("modes", true)];
+
+/// Whether the playback begins again at its end.
+pub(super) const LOOPS: [(&str, bool); 2] = [("off", false), ("on", true)];
+
+/// Seconds of motion played in a second.
+pub(super) const RATES: [(&str, f64); 5] = [("0.25", 0.25), ("0.5", 0.5), ("1", 1.0), ("2", 2.0), ("4", 4.0)];
+
+pub(super) const PANES: [(&str, Pane); 3] =
+    [("poles", Pane::Poles), ("aircraft", Pane::Aircraft), ("response", Pane::Response)];
+
+pub(super) const VIEWPOINTS: [(&str, Viewpoint); 4] = [
+    ("three-quarter", Viewpoint::ThreeQuarter),
+    ("chase", Viewpoint::Chase),
+    ("side", Viewpoint::Side),
+    ("top", Viewpoint::Top),
+];
+
+/// A list with nothing in it.
+pub(super) const NOTHING: &str = "none";
+
+pub(super) const MARKS: [&str; 2] = ["approximations", "levels"];
+
+pub(super) const DETAILS: [&str; 3] = ["shape", "levels", "approximations"];
+
+pub(super) const OVERLAYS: [&str; 8] =
+    ["body", "earth", "angles", "rates", "forces", "flow", "path", "moments"];
 
 pub(super) const SOURCES: [(&str, Source); 10] = [
     ("elevator", Source::Elevator),

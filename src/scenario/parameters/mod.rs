@@ -327,7 +327,11 @@ impl Parameter {
             (Place::B(plane, row, column), _) => {
                 edited.offsets.matrices_mut(plane).b[(row, column)] += change;
             }
-            (Place::Disturbance(of), _) => *of(&mut scenario.disturbance.sizes) = value,
+            (Place::Disturbance(of), _) => {
+                *of(&mut scenario.disturbance.sizes) = value;
+                // A time that is set stays as it is set.
+                scenario.disturbance.follows &= self.key != "time";
+            }
             _ => {}
         }
     }

@@ -4,6 +4,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use egui::{Pos2, Rect};
 
+use crate::scenario::link::Viewpoint;
 use crate::shape::Point;
 
 /// Half of the angle of view, up and down \[rad\].
@@ -12,6 +13,8 @@ const HALF_VIEW: f32 = 0.30;
 const LOWERED: f32 = 0.07;
 /// Nearest and farthest distance, over the one at which the aircraft fills the pane; never within the aircraft.
 const ZOOM: (f32, f32) = (0.5, 6.0);
+/// It looks up no more than this, and down no more than nearly upright \[rad\].
+const LOWEST: f32 = -0.5;
 const STEEPEST: f32 = FRAC_PI_2 - 0.001;
 
 /// Where the eye is, seen from the aircraft.
@@ -82,10 +85,36 @@ impl Default for Camera {
 }
 
 impl Camera {
+    /// That of a link.
+    pub fn at(viewpoint: Viewpoint) -> Self {
+        match viewpoint {
+            Viewpoint::ThreeQuarter => StandardView::ThreeQuarter.camera(),
+            Viewpoint::Chase => StandardView::Chase.camera(),
+            Viewpoint::Side => StandardView::Side.camera(),
+            Viewpoint::Top => StandardView::Top.camera(),
+            Viewpoint::From { azimuth, elevation, distance } => Self {
+                azimuth: f32::from(azimuth).to_radians(),
+                elevation: f32::from(elevation).to_radians().clamp(LOWEST, STEEPEST),
+                distance: (f32::from(distance) / 100.0).clamp(ZOOM.0, ZOOM.1),
+            },
+        }
+    }
+
+    /// What a link says of it: a standard view, or rounded so that it is short and the same in every browser.
+    pub fn viewpoint(&self) -> Viewpoint {
+        let all = [Viewpoint::ThreeQuarter, Viewpoint::Chase, Viewpoint::Side, Viewpoint::Top];
+        let standard = all.into_iter().find(|&viewpoint| Self::at(viewpoint) == *self);
+        standard.unwrap_or(Viewpoint::From {
+            azimuth: self.azimuth.to_degrees().round() as i16,
+            elevation: self.elevation.to_degrees().round() as i16,
+            distance: (100.0 * self.distance).round() as i16,
+        })
+    }
+
     /// Turned around the aircraft \[rad\].
     pub fn orbit(&mut self, around: f32, up: f32) {
         self.azimuth = (self.azimuth + around + PI).rem_euclid(2.0 * PI) - PI;
-        self.elevation = (self.elevation + up).clamp(-0.5, STEEPEST);
+        self.elevation = (self.elevation + up).clamp(LOWEST, STEEPEST);
     }
 
     /// Nearer by a factor above 1, farther by one below.
@@ -189,6 +218,24 @@ mod tests {
             let ahead = Point::new(lens.forward.x, lens.forward.y, 0.0);
             let far = on_screen(&lens, lens.eye + ahead * 1e4 + lens.right * 1e3);
             assert!((far.y - lens.horizon()).abs() < 0.5, "{view:?}");
+        }
+    }
+
+    /// Rounded once, a camera is the same however often it is sent on.
+    #[test]
+    fn a_camera_that_has_been_sent_stays_where_it_is() {
+        let mut camera = Camera::default();
+        for step in 0..200 {
+            camera.orbit(0.37, if step % 40 < 20 { 0.13 } else { -0.19 });
+            camera.zoom(if step % 14 < 7 { 1.4 } else { 0.7 });
+            let sent = Camera::at(camera.viewpoint());
+            assert_eq!(sent.viewpoint(), camera.viewpoint(), "{camera:?}");
+            assert!((sent.elevation - camera.elevation).abs() < 0.01, "{camera:?} {sent:?}");
+            assert!((sent.azimuth - camera.azimuth).abs() < 0.01, "{camera:?} {sent:?}");
+            assert!((sent.distance - camera.distance).abs() < 0.006, "{camera:?} {sent:?}");
+        }
+        for view in StandardView::ALL {
+            assert_eq!(Camera::at(view.camera().viewpoint()), view.camera());
         }
     }
 

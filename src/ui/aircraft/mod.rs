@@ -15,8 +15,9 @@ mod transport;
 mod view;
 
 pub use camera::{Camera, StandardView};
-pub use overlays::Overlays;
 pub use picture::{Attitude, Axis, Forces, Moment, Picture};
 pub use playback::{Playback, RATES};
 pub use transport::transport_ui;
 pub use view::AircraftView;
+
+pub use crate::scenario::link::Overlays;

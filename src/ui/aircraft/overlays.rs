@@ -8,6 +8,7 @@ use super::camera::Lens;
 use super::labels::Labels;
 use super::landscape::stroke;
 use super::picture::{Axis, Picture, degrees, finite, point};
+use crate::scenario::link::Overlays;
 use crate::shape::Point;
 use crate::ui::theme::Palette;
 
@@ -31,42 +32,6 @@ const SMALLEST_ANGLE: f64 = 0.002;
 const RATE_OF_HALF_A_TURN: f64 = 0.5;
 /// A moment of size 1 has an arrow of this angle \[rad\].
 const FULL_MOMENT: f32 = 1.9;
-
-/// Which of them are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Overlays {
-    /// Axes of the body x, y, z.
-    pub body_axes: bool,
-    /// Axes of the Earth: north as flown, east, down.
-    pub earth_axes: bool,
-    /// Roll, pitch and yaw φ, θ, ψ.
-    pub angles: bool,
-    /// Angular rates p, q, r.
-    pub rates: bool,
-    /// Lift, weight, thrust, drag.
-    pub forces: bool,
-    /// Velocity, angle of attack and sideslip.
-    pub flow: bool,
-    /// The path flown.
-    pub path: bool,
-    /// The moments that push and damp.
-    pub moments: bool,
-}
-
-impl Default for Overlays {
-    fn default() -> Self {
-        Self {
-            body_axes: true,
-            earth_axes: false,
-            angles: true,
-            rates: false,
-            forces: true,
-            flow: true,
-            path: true,
-            moments: true,
-        }
-    }
-}
 
 impl Overlays {
     /// Each with its words, for boxes to tick.

@@ -1,9 +1,10 @@
 //! The bar that plays, pauses and scrubs.
 
-use egui::{Button, ComboBox, RichText, Slider, Ui};
+use egui::{Button, ComboBox, RichText, Ui, Vec2};
 
 use super::playback::{Playback, RATES};
 use crate::number::fixed;
+use crate::ui::slider::ReferenceSlider;
 use crate::ui::theme::{self, Palette};
 
 /// Narrower than this the slider has no use.
@@ -50,19 +51,16 @@ pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
         let galley = ui.painter().layout_no_wrap(words, theme::small(), color);
         // The words at their longest, the rates and the loop stand after the slider.
         let after = width + 56.0 + 36.0 + 4.0 * ui.spacing().item_spacing.x;
-        ui.spacing_mut().slider_width = (ui.available_width() - after).max(NARROWEST);
-        let mut time = playback.time;
-        // Aimed at round numbers, a step of an arrow key would come back to the one that it starts from.
-        let slider = Slider::new(&mut time, 0.0..=playback.end.max(1e-3)).smart_aim(false);
-        let slider = slider.show_value(false).trailing_fill(true);
-        let rail = |ui: &mut Ui| {
-            // Its rail has the ground of a button, which is that of the pane.
-            ui.visuals_mut().widgets.inactive.bg_fill = palette.hairline;
-            ui.visuals_mut().selection.bg_fill = palette.accent;
-            ui.add(slider).accessible_name("Time of the playback in s")
+        let slider = ReferenceSlider {
+            name: "Time of the playback in s",
+            value_text: format!("{} s", fixed(playback.time, 2)),
+            value: playback.time,
+            range: 0.0..=playback.end.max(1e-3),
+            reference: 0.0,
+            in_effect: None,
         };
-        let response = ui.scope(rail).inner;
-        if response.changed() {
+        let size = Vec2::new((ui.available_width() - after).max(NARROWEST), ui.spacing().interact_size.y);
+        if let (_, Some(time)) = slider.show(ui, size) {
             playback.seek(time);
         }
         let (place, _) = ui.allocate_exact_size([width, galley.size().y].into(), egui::Sense::hover());

@@ -2,18 +2,21 @@
 
 use egui::accesskit::Role;
 use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::style::StyleModifier;
 use egui::{
-    Align2, CornerRadius, EventFilter, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke,
-    StrokeKind, Ui, Vec2, WidgetInfo,
+    Align2, CornerRadius, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind,
+    Ui, Vec2, WidgetInfo,
 };
 
 use super::camera::{Camera, StandardView};
 use super::landscape::Ground;
-use super::overlays::{Easel, Overlays};
+use super::overlays::Easel;
 use super::picture::{Picture, finite};
 use super::{airframe, landscape};
+use crate::scenario::link::Overlays;
 use crate::shape::Point;
 use crate::ui::theme::{self, Palette};
+use crate::ui::{arrow_keys, finger};
 
 /// A drag over this many points turns the camera by 1 rad.
 const DRAG: f32 = 160.0;
@@ -49,8 +52,9 @@ impl AircraftView {
                     self.camera = view.camera();
                 }
             }
-            // Stays open while boxes are ticked.
-            let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+            // Stays open while boxes are ticked. They have their outline, which the style of menus takes away.
+            let config = MenuConfig::new().style(StyleModifier::default());
+            let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
             let (menu, _) = MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
                 for (words, is_shown) in self.overlays.boxes() {
                     ui.checkbox(is_shown, words);
@@ -63,7 +67,8 @@ impl AircraftView {
     /// Draws a moment of flight into all that is left of `ui`.
     ///
     /// Drag turns the view; so do the arrow keys where it has focus, `+` and `−` zoom, 1 to 4 are the standard views.
-    /// Pinching or the wheel with Ctrl zooms; the wheel alone scrolls the page as everywhere.
+    /// Two fingers turn it and zoom, and so does the wheel with Ctrl; the wheel alone, or one finger going up or down,
+    /// scrolls the page as everywhere.
     pub fn show(&mut self, ui: &mut Ui, picture: &Picture<'_>) -> Response {
         let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         self.steer(ui, &response);
@@ -79,21 +84,24 @@ impl AircraftView {
     }
 
     fn steer(&mut self, ui: &Ui, response: &Response) {
-        if response.clicked() || response.drag_started() {
+        let held = finger::works_on(ui, response);
+        if response.clicked() || (held && response.drag_started()) {
             response.request_focus();
         }
-        if response.dragged() {
-            let drag = response.drag_delta() / DRAG;
-            self.camera.orbit(-drag.x, drag.y);
-        }
-        if response.hovered() {
+        let pinch = finger::pinch(ui, response);
+        let drag = match pinch {
+            Some(pinch) => pinch.translation_delta,
+            None if held && response.dragged() => response.drag_delta(),
+            None => Vec2::ZERO,
+        };
+        self.camera.orbit(-drag.x / DRAG, drag.y / DRAG);
+        if pinch.is_some() || response.hovered() {
             self.camera.zoom(ui.input(|input| input.zoom_delta()));
         }
         if !response.has_focus() {
             return;
         }
-        let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        arrow_keys::keep(ui, response);
         ui.input(|input| {
             let pressed = |key| input.num_presses(key) as f32;
             self.camera.orbit(

@@ -5,8 +5,9 @@ use egui::{
 };
 
 use super::{Action, App, PhonePane};
+use crate::scenario::link::Pane;
 use crate::ui::derivatives::Rows;
-use crate::ui::keys::Pane;
+use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
 
 /// From this width on two panes of a tablet stand beside each other.
@@ -34,8 +35,8 @@ impl App {
                 .resizable(false)
                 .frame(side)
                 .show(ui, |ui| {
-                    let modes = |ui: &mut Ui| self.modes_ui(ui);
-                    ScrollArea::vertical().id_salt("modes").auto_shrink(false).show(ui, modes).inner
+                    let area = ScrollArea::vertical().auto_shrink(false);
+                    finger::scroll_area_ui(ui, "modes", area, |ui| self.modes_ui(ui))
                 })
                 .inner;
         }
@@ -56,36 +57,33 @@ impl App {
                 self.pane_ui(ui, Pane::Response, inset(response, [0.0, 0.0, gap, 0.0]));
                 return None;
             }
-            ScrollArea::vertical()
-                .id_salt("middle")
-                .auto_shrink(false)
-                .show(ui, |ui| {
-                    let action = self.verdicts_ui(ui);
-                    let width = ui.available_width();
-                    let beside = width >= BESIDE;
-                    if beside {
-                        let (_, above) = ui.allocate_space(Vec2::new(width, 330.0));
-                        let (poles, aircraft) = above.split_left_right_at_fraction(0.5);
-                        let gap = 0.5 * PANE_GAP;
-                        self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, 0.0]));
-                        self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, 0.0]));
-                    }
-                    let below: &[(Pane, f32)] = if beside {
-                        &[(Pane::Response, 480.0)]
-                    } else {
-                        &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
-                    };
-                    for &(pane, height) in below {
-                        let (_, room) = ui.allocate_space(Vec2::new(width, height));
-                        self.pane_ui(ui, pane, room);
-                    }
-                    let count = if beside { 2 } else { 1 };
-                    ui.columns(count, |columns| {
-                        self.cards_ui(|i| i % count, columns);
-                    });
-                    action
-                })
-                .inner
+            let area = ScrollArea::vertical().auto_shrink(false);
+            finger::scroll_area_ui(ui, "middle", area, |ui| {
+                let action = self.verdicts_ui(ui);
+                let width = ui.available_width();
+                let beside = width >= BESIDE;
+                if beside {
+                    let (_, above) = ui.allocate_space(Vec2::new(width, 330.0));
+                    let (poles, aircraft) = above.split_left_right_at_fraction(0.5);
+                    let gap = 0.5 * PANE_GAP;
+                    self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, 0.0]));
+                    self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, 0.0]));
+                }
+                let below: &[(Pane, f32)] = if beside {
+                    &[(Pane::Response, 480.0)]
+                } else {
+                    &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
+                };
+                for &(pane, height) in below {
+                    let (_, room) = ui.allocate_space(Vec2::new(width, height));
+                    self.pane_ui(ui, pane, room);
+                }
+                let count = if beside { 2 } else { 1 };
+                ui.columns(count, |columns| {
+                    self.cards_ui(|i| i % count, columns);
+                });
+                action
+            })
         };
         CentralPanel::default().frame(ground).show(ui, middle).inner.or(action)
     }
@@ -95,13 +93,14 @@ impl App {
         let palette = Palette::of(ui);
         let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
         self.ghost_memo_refresh();
-        Panel::top("poles").exact_size(266.0).resizable(false).frame(ground).show(ui, |ui| {
+        // A finger going up or down on the map scrolls what is below, as if the map were a part of it.
+        let below = finger::last_background(ui);
+        Panel::top("poles").exact_size(276.0).resizable(false).frame(ground).show(ui, |ui| {
             ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
-            self.poles_ui(ui);
+            finger::scrolls_ui(ui, below, |ui| self.poles_ui(ui));
         });
         Panel::top("panes").frame(ground).show(ui, |ui| {
             ui.horizontal(|ui| {
-                ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 8.0;
                 for (pane, text) in [
                     (PhonePane::Derivatives, "Derivatives"),
                     (PhonePane::Modes, "Modes"),
@@ -118,11 +117,8 @@ impl App {
                 None
             }
             PhonePane::Modes => {
-                ScrollArea::vertical()
-                    .id_salt("modes")
-                    .auto_shrink(false)
-                    .show(ui, |ui| self.modes_ui(ui))
-                    .inner
+                let area = ScrollArea::vertical().auto_shrink(false);
+                finger::scroll_area_ui(ui, "modes", area, |ui| self.modes_ui(ui))
             }
             PhonePane::Aircraft => {
                 self.view.flight.toolbar_ui(ui);
@@ -130,8 +126,10 @@ impl App {
                 None
             }
             PhonePane::Response => {
-                let responses = |ui: &mut Ui| self.responses_ui(ui, Rows::Touch);
-                ScrollArea::vertical().id_salt("responses").auto_shrink(false).show(ui, responses);
+                let area = ScrollArea::vertical().auto_shrink(false);
+                finger::scroll_area_ui(ui, "responses", area, |ui| self.responses_ui(ui, Rows::Touch));
+                // The moment that a finger has pointed out stays when it has gone.
+                self.play(ui);
                 None
             }
         };

@@ -2,24 +2,27 @@
 
 mod layout;
 mod panes;
+mod scene;
 
 use std::sync::Arc;
 
 use egui::util::undoer::Undoer;
 use egui::{Context, Frame, Margin, Panel, Ui};
 
+pub use scene::Ghost;
+use scene::{Scene, name};
+
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::link::{self, LinkView};
-use crate::scenario::{Choice, Disturbance, Page, Scenario, Source};
+use crate::scenario::link::{self, Details, LinkView, Pane, Sight};
+use crate::scenario::{Choice, Disturbance, Page, Scenario, Source, seen_in};
 use crate::ui::flight_pane::FlightPane;
-use crate::ui::keys::{self, Command, Pane};
+use crate::ui::keys::{self, Command};
 use crate::ui::memo::Memo;
-use crate::ui::mode_cards::Details;
 use crate::ui::poles::{Hand, PoleMap};
-use crate::ui::responses::{Responses, seen_in};
+use crate::ui::responses::Responses;
 use crate::ui::share::Share;
 use crate::ui::theme::{self, Look, Palette};
 use crate::ui::top_bar::{Bar, top_bar_ui};
@@ -52,15 +55,6 @@ pub enum Action {
     CopyLink,
     /// Open the sheet of keys.
     Help,
-}
-
-/// A pinned state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Ghost {
-    /// What it is called on screen.
-    pub name: String,
-    /// The state.
-    pub scenario: Scenario,
 }
 
 /// The panes of a phone, of which one is on screen below the pole map.
@@ -102,10 +96,12 @@ pub struct App {
     aircraft: Vec<Arc<Aircraft>>,
     content_errors: Vec<ContentError>,
     scenario: Scenario,
-    ghost: Option<Ghost>,
+    ghost: Option<Arc<Ghost>>,
     memo: Memo,
     ghost_memo: Memo,
-    history: Undoer<Scenario>,
+    history: Undoer<Scene>,
+    /// The analysis that the time shown has followed, by its number.
+    followed: u64,
     share: Share,
     view: View,
 }
@@ -129,6 +125,7 @@ impl App {
             memo: Memo::default(),
             ghost_memo: Memo::default(),
             history: Undoer::default(),
+            followed: 0,
             share: Share::default(),
             view: View {
                 poles: PoleMap::default(),
@@ -171,23 +168,52 @@ impl App {
     pub fn link(&self) -> String {
         let usual = LinkView::of(&self.scenario);
         let page = if self.view.page.is_of(&self.scenario) { self.view.page } else { usual.page };
-        let ghost = self.ghost.as_ref().map(|ghost| ghost.scenario.clone());
+        let ghost = self.ghost.as_ref().map(|ghost| self.compared(ghost));
         let Responses { tab, nonlinear, .. } = self.view.responses;
-        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost })
+        link::write(&self.scenario, &LinkView { page, tab, nonlinear, ghost, sight: self.sight() })
+    }
+
+    /// How the scene is looked at, as far as a link carries it.
+    fn sight(&self) -> Sight {
+        let View { poles, responses, flight, maximised, details, .. } = &self.view;
+        let mut sight = Sight {
+            marks: poles.choices.marks,
+            details: *details,
+            maximised: *maximised,
+            ..Sight::default()
+        };
+        responses.sight(&mut sight);
+        flight.sight(&mut sight);
+        sight
+    }
+
+    fn look(&mut self, sight: &Sight) {
+        let View { poles, responses, flight, maximised, details, .. } = &mut self.view;
+        poles.choices.marks = sight.marks;
+        *details = sight.details;
+        *maximised = sight.maximised;
+        responses.look(sight);
+        flight.look(sight);
     }
 
     /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
     pub fn open(&mut self, link: &str) {
         let Some(opened) = link::read(link, &self.aircraft) else { return };
         if self.computations() > 0 {
-            self.history.add_undo(&self.scenario);
+            self.history.add_undo(&self.scene());
         }
-        self.ghost = opened.view.ghost.map(|scenario| Ghost { name: name(&scenario), scenario });
+        self.ghost = opened.view.ghost.map(|scenario| Arc::new(Ghost { name: name(&scenario), scenario }));
         self.scenario = opened.scenario;
         self.view.page = opened.view.page;
         self.view.responses.tab = opened.view.tab;
         self.view.responses.nonlinear = opened.view.nonlinear;
+        self.look(&opened.view.sight);
         self.view.before_flight = [None; 2];
+        // Before anyone asks for the link: it is to change by what a person does only.
+        self.memo.refresh(&self.scenario, self.view.page);
+        if let Some(plane) = self.memo.plane() {
+            self.scenario.follow(plane);
+        }
         self.share.opened(opened.notices);
     }
 
@@ -207,13 +233,17 @@ impl App {
         let mut hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         if hand == Hand::Takes {
             // A drag is one step, whatever was edited just before it and however long it takes.
-            self.history.add_undo(&self.scenario);
+            self.history.add_undo(&self.scene());
             hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         }
         let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
         let width = ui.content_rect().width();
         let phone = width < PHONE;
+        if theme::make_room(ui.ctx(), phone) {
+            ui.request_discard("controls are of another height from now on");
+        }
         let palette = Palette::of(ui);
+        let scene = self.scene();
         let bar = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(14, 8));
         action = Panel::top("top bar")
             .frame(bar)
@@ -223,11 +253,8 @@ impl App {
                     Bar {
                         aircraft: &self.aircraft,
                         scenario: &self.scenario,
-                        ghost: self.ghost.as_ref(),
-                        history: (
-                            self.history.has_undo(&self.scenario),
-                            self.history.has_redo(&self.scenario),
-                        ),
+                        ghost: self.ghost.as_deref(),
+                        history: (self.history.has_undo(&scene), self.history.has_redo(&scene)),
                         narrow: width < CRAMPED,
                         roomy: width >= TABLET,
                     },
@@ -246,18 +273,46 @@ impl App {
             ui.request_repaint();
         }
         self.share.copied_ui(ui);
+        self.follow(ui);
         if !self.memo.is_of(&self.scenario, self.view.page) {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
         }
-        // A widget keeps the arrow keys to itself from its second frame with the focus on, which no event may bring.
-        if ui.memory(|memory| memory.focused().is_some_and(|id| !memory.had_focus_last_frame(id))) {
-            ui.request_repaint();
-        }
         match hand {
-            Hand::LetsGo => self.history.add_undo(&self.scenario),
+            Hand::LetsGo => self.keep(ui),
             Hand::Takes | Hand::Holds => {}
-            Hand::Away => self.history.feed_state(ui.input(|input| input.time), &self.scenario),
+            Hand::Away => self.history.feed_state(ui.input(|input| input.time), &self.scene()),
+        }
+    }
+
+    /// What a person has done, as it stands.
+    fn scene(&self) -> Scene {
+        Scene { scenario: self.scenario.clone(), ghost: self.ghost.clone() }
+    }
+
+    /// Makes a step of undo of the scene as it stands. What was undone before it can't be done again.
+    fn keep(&mut self, ui: &Ui) {
+        let scene = self.scene();
+        self.history.feed_state(ui.input(|input| input.time), &scene);
+        self.history.add_undo(&scene);
+    }
+
+    fn restore(&mut self, scene: Option<Scene>) {
+        if let Some(Scene { scenario, ghost }) = scene {
+            (self.scenario, self.ghost) = (scenario, ghost);
+        }
+    }
+
+    /// Lets the time shown follow the motion, never while something is dragged; the axes ease to it.
+    fn follow(&mut self, ui: &Ui) {
+        let analysed = self.memo.computations();
+        let is_known = self.followed == analysed || !self.memo.is_of(&self.scenario, self.view.page);
+        if is_known || ui.input(|input| input.pointer.any_down()) {
+            return;
+        }
+        self.followed = analysed;
+        if let Some(plane) = self.memo.plane() {
+            self.scenario.follow(plane);
         }
     }
 
@@ -304,37 +359,35 @@ impl App {
     }
 
     fn apply(&mut self, action: Action, ui: &Ui) {
+        // Whatever was edited just before it is a step of its own.
+        let before = self.scene();
         match action {
+            Action::Undo => {
+                let undone = self.history.undo(&before).cloned();
+                return self.restore(undone);
+            }
+            Action::Redo => {
+                let redone = self.history.redo(&before).cloned();
+                return self.restore(redone);
+            }
+            Action::CopyLink => return self.share.copy(ui, &self.link()),
+            Action::Help => {
+                self.view.help = true;
+                return;
+            }
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
             Action::Turn(plane) => self.scenario.plane = plane,
             Action::Pin => {
-                self.ghost = Some(Ghost { name: name(&self.scenario), scenario: self.scenario.clone() })
+                self.ghost =
+                    Some(Arc::new(Ghost { name: name(&before.scenario), scenario: before.scenario.clone() }))
             }
             Action::CompareWith(aircraft) => {
-                self.ghost = Some(Ghost {
-                    name: aircraft.name.clone(),
-                    scenario: self.scenario.with_aircraft(aircraft),
-                });
+                let name = aircraft.name.clone();
+                self.ghost = Some(Arc::new(Ghost { name, scenario: self.scenario.with_aircraft(aircraft) }));
             }
             Action::Unpin => self.ghost = None,
-            Action::Undo => {
-                if let Some(before) = self.history.undo(&self.scenario) {
-                    self.scenario = before.clone();
-                }
-            }
-            Action::Redo => {
-                if let Some(after) = self.history.redo(&self.scenario) {
-                    self.scenario = after.clone();
-                }
-            }
-            Action::CopyLink => self.share.copy(ui, &self.link()),
-            Action::Help => self.view.help = true,
         }
+        self.history.add_undo(&before);
+        self.keep(ui);
     }
-}
-
-/// What a pinned state is called.
-fn name(scenario: &Scenario) -> String {
-    let edited = if scenario.is_edited() { ", edited" } else { "" };
-    format!("{}{edited}", scenario.aircraft.name)
 }

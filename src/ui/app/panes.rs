@@ -41,31 +41,21 @@ impl App {
     }
 
     pub(super) fn ghost_memo_refresh(&mut self) {
-        if let Some(ghost) = &mut self.ghost {
-            // Compared is what the same disturbance does to both.
-            ghost.scenario.disturbance = self.scenario.disturbance;
-            ghost.scenario.plane = self.scenario.plane;
-            self.ghost_memo.refresh(&ghost.scenario, Page::Disturbance);
+        if let Some(ghost) = &self.ghost {
+            self.ghost_memo.refresh(&self.compared(ghost), Page::Disturbance);
         }
+    }
+
+    /// A pinned state as it is compared: what the same disturbance does to both.
+    pub(super) fn compared(&self, ghost: &Ghost) -> Scenario {
+        let Scenario { disturbance, plane, .. } = self.scenario;
+        Scenario { disturbance, plane, ..ghost.scenario.clone() }
     }
 
     pub(super) fn aircraft_ui(&mut self, ui: &mut Ui) {
         let Self { memo, scenario, view, .. } = self;
-        memo.refresh(scenario, view.page);
-        if view.responses.shows_flight() {
-            memo.refresh_flight();
-        }
-        match memo.motion() {
-            Some(motion) => {
-                let flight = memo.flight().filter(|_| view.responses.shows_flight());
-                let flight = flight
-                    .and_then(|flight| flight.as_ref().ok())
-                    .filter(|flight| !flight.samples.is_empty());
-                let flown = Flown { scenario, motion, flight };
-                view.flight.advance(ui, flown.end());
-                if let Some(time) = view.responses.hovered() {
-                    view.flight.seek(time);
-                }
+        match flown(ui, memo, scenario, view) {
+            Some(flown) => {
                 view.flight.show(ui, flown);
                 view.responses.set_time(view.flight.time());
             }
@@ -73,11 +63,17 @@ impl App {
         }
     }
 
+    /// Lets the playback go on where the aircraft is not on screen.
+    pub(super) fn play(&mut self, ui: &Ui) {
+        flown(ui, &mut self.memo, &self.scenario, &mut self.view);
+        self.view.responses.set_time(self.view.flight.time());
+    }
+
     pub(super) fn poles_ui(&mut self, ui: &mut Ui) {
         self.memo.refresh(&self.scenario, self.view.page);
         let touched = self.view.touched.and_then(Parameter::find);
         self.memo.refresh_locus(&self.scenario, touched);
-        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        let ghost = ghost_modes(self.ghost.as_deref(), &self.ghost_memo);
         match self.memo.plane() {
             Some(plane) => {
                 let locus = touched.zip(self.memo.locus());
@@ -104,9 +100,9 @@ impl App {
         if view.responses.shows_flight() {
             memo.refresh_flight();
         }
-        match studied(scenario, memo) {
+        match studied(memo) {
             Some(now) => {
-                let ghost = ghost.as_ref().and_then(|ghost| studied(&ghost.scenario, ghost_memo));
+                let ghost = ghost.as_ref().and_then(|_| studied(ghost_memo));
                 view.responses.show(ui, now, ghost, rows);
             }
             None => problem_ui(ui, memo.followed(), scenario.plane),
@@ -144,7 +140,7 @@ impl App {
     pub(super) fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
         self.memo.refresh(&self.scenario, self.view.page);
         let Some(analysed) = self.memo.plane() else { return };
-        let ghost = ghost_modes(self.ghost.as_ref(), &self.ghost_memo);
+        let ghost = ghost_modes(self.ghost.as_deref(), &self.ghost_memo);
         let choice = *self.scenario.disturbance.choice(self.scenario.plane);
         let last = analysed.modes.len().saturating_sub(1);
         let mut asked = None;
@@ -168,8 +164,13 @@ fn ghost_modes<'a>(ghost: Option<&Ghost>, memo: &'a Memo) -> Option<&'a [Mode]> 
     memo.plane().map(|plane| plane.modes.as_slice())
 }
 
-fn studied<'a>(scenario: &'a Scenario, memo: &'a Memo) -> Option<Studied<'a>> {
-    Some(Studied { scenario, motion: memo.motion()?, modes: &memo.plane()?.modes, flight: memo.flight() })
+fn studied(memo: &Memo) -> Option<Studied<'_>> {
+    Some(Studied {
+        scenario: memo.scenario()?,
+        motion: memo.motion()?,
+        modes: &memo.plane()?.modes,
+        flight: memo.flight(),
+    })
 }
 
 /// Why there is nothing to draw.
@@ -184,4 +185,22 @@ fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
     };
     let palette = Palette::of(ui);
     banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
+}
+
+/// The motion on screen as it is flown, brought to the moment of the playback, or to that of the cursor in the plots.
+fn flown<'a>(ui: &Ui, memo: &'a mut Memo, scenario: &'a Scenario, view: &mut View) -> Option<Flown<'a>> {
+    memo.refresh(scenario, view.page);
+    let shows_flight = view.responses.shows_flight();
+    if shows_flight {
+        memo.refresh_flight();
+    }
+    let motion = memo.motion()?;
+    let flight = memo.flight().filter(|_| shows_flight);
+    let flight = flight.and_then(|flight| flight.as_ref().ok()).filter(|flight| !flight.samples.is_empty());
+    let flown = Flown { scenario, motion, flight };
+    view.flight.advance(ui, flown.end());
+    if let Some(time) = view.responses.hovered() {
+        view.flight.seek(time);
+    }
+    Some(flown)
 }

@@ -88,7 +88,7 @@ pub fn draw<'a>(
 }
 
 /// Points of a line at equal distances.
-fn spaced(line: &[Pos2], distance: f32) -> Vec<Pos2> {
+pub fn spaced(line: &[Pos2], distance: f32) -> Vec<Pos2> {
     let mut points = Vec::new();
     let mut ahead = 0.5 * distance;
     for pair in line.windows(2) {
@@ -157,7 +157,7 @@ pub fn labels<'a>(
             )
         };
         let along = parts.iter().flat_map(|part| spaced(part, 12.0));
-        if let Some(place) = along.map(place).find(|place| placement.take(*place)) {
+        if let Some(place) = placement.take_first(along.map(place)) {
             painter.galley(place.min, galley, color);
         }
     }

@@ -10,6 +10,7 @@ use egui::{
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::Mode;
 use crate::flight::naming::ModeName;
+use crate::scenario::link::Marks;
 use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, by_strength};
 use crate::ui::derivatives::Rows;
 use crate::ui::symbol::Symbol;
@@ -23,10 +24,8 @@ const BAR: f32 = 48.0;
 /// What is asked for.
 #[derive(Debug, Default)]
 pub struct Choices {
-    /// Whether the marks of textbook approximations are drawn.
-    pub approximations: bool,
-    /// Whether the boundaries of the levels are drawn.
-    pub levels: bool,
+    /// What is marked beside the poles.
+    pub marks: Marks,
     /// The mode that was last at hand, whose derivatives the button names.
     pub subject: Option<ModeName>,
     /// Keys that a person has chosen, by page and mode.
@@ -63,9 +62,7 @@ impl Choices {
         page: Page,
         size: Rows,
     ) {
-        if size == Rows::Touch {
-            ui.spacing_mut().interact_size.y = theme::TOUCH_HEIGHT - 14.0;
-        } else {
+        if size == Rows::Dense {
             ui.spacing_mut().interact_size.y = 20.0;
             ui.spacing_mut().button_padding = Vec2::new(7.0, 1.0);
             ui.add_space(8.0);
@@ -79,7 +76,7 @@ impl Choices {
         };
         toggle(
             ui,
-            &mut self.approximations,
+            &mut self.marks.approximations,
             "≈",
             "Textbook approximations",
             "Where the textbook approximations put the poles: hollow diamonds",
@@ -89,7 +86,7 @@ impl Choices {
             let hint = task.map_or("The source names no class of aircraft", |_| {
                 "Boundaries of the handling-quality levels of MIL-F-8785C, hatched on the side that fails"
             });
-            toggle(ui, &mut self.levels, "Levels", "Level boundaries", hint);
+            toggle(ui, &mut self.marks.levels, "Levels", "Level boundaries", hint);
         });
         self.movers_ui(ui, scenario, plane, rows, page);
     }

@@ -7,17 +7,29 @@ use egui::{Pos2, Rect, Vec2};
 pub struct Placement {
     frame: Rect,
     taken: Vec<Rect>,
+    /// Better left free, but a label may lie there rather than nowhere.
+    shunned: Vec<Rect>,
 }
 
 impl Placement {
     /// Nothing placed yet inside `frame`.
     pub fn new(frame: Rect) -> Self {
-        Self { frame, taken: Vec::new() }
+        Self { frame, taken: Vec::new(), shunned: Vec::new() }
     }
 
     /// Keeps labels off a place.
     pub fn keep_clear(&mut self, rect: Rect) {
         self.taken.push(rect);
+    }
+
+    /// Keeps labels off a place while there is room elsewhere.
+    pub fn shun(&mut self, rect: Rect) {
+        self.shunned.push(rect);
+    }
+
+    /// Whether it is better left free.
+    fn is_shunned(&self, place: Rect) -> bool {
+        self.shunned.iter().any(|shunned| shunned.intersects(place))
     }
 
     /// Whether a place is inside the frame and nothing lies on it.
@@ -36,9 +48,15 @@ impl Placement {
 
     /// Where a label of this size goes beside `anchor`, nearest free place first; `None` where there is no room.
     pub fn beside(&mut self, anchor: Pos2, size: Vec2) -> Option<Rect> {
-        let place = candidates(anchor, size)
-            .map(|place| pushed_into(self.frame, place))
-            .find(|place| self.is_free(*place))?;
+        let frame = self.frame;
+        self.take_first(candidates(anchor, size).map(|place| pushed_into(frame, place)))
+    }
+
+    /// Takes the first free place that is not shunned, else the first free one.
+    pub fn take_first(&mut self, places: impl Iterator<Item = Rect>) -> Option<Rect> {
+        let mut free = places.filter(|place| self.is_free(*place)).peekable();
+        let first = *free.peek()?;
+        let place = free.find(|place| !self.is_shunned(*place)).unwrap_or(first);
         self.taken.push(place.expand(2.0));
         Some(place)
     }
@@ -91,6 +109,19 @@ mod tests {
             let place = Placement::new(frame).beside(anchor, Vec2::new(90.0, 28.0)).expect("a place");
             assert!(place.distance_to_pos(anchor) < 30.0, "{place} for {anchor}");
         }
+    }
+
+    #[test]
+    fn a_label_lies_on_a_shunned_place_only_where_there_is_no_other() {
+        let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
+        let (anchor, size) = (frame.center(), Vec2::new(90.0, 28.0));
+        let mut placement = Placement::new(frame);
+        let line = Rect::from_center_size(anchor, Vec2::new(4.0, 300.0));
+        placement.shun(line);
+        assert!(!placement.beside(anchor, size).expect("a place").intersects(line));
+        let mut placement = Placement::new(frame);
+        placement.shun(frame);
+        assert!(placement.beside(anchor, size).is_some());
     }
 
     fn points() -> impl Strategy<Value = Vec<(Pos2, Vec2)>> {

@@ -10,8 +10,7 @@ use super::trail::Trail;
 use super::{NARROW, Seen, boundaries, grid, marks};
 use crate::flight::level_boundaries::Boundary;
 use crate::flight::modes::{DynamicStability, Mode};
-use crate::number::{fixed, significant};
-use crate::ui::axis_range::round_up;
+use crate::number::{fixed, round_up, significant};
 use crate::ui::theme::{self, Palette};
 
 /// Room above a map for its name and its buttons.
@@ -137,12 +136,16 @@ impl Map<'_> {
             });
         };
         self.modes.iter().for_each(|mode| clear(mode.lambda));
+        seen.ghost.into_iter().flatten().for_each(|mode| clear(mode.lambda));
         approximated().for_each(|(_, root)| clear(root));
         // No label across the stability boundary.
         let origin = chart.position(Complex::from(0.0));
         placement.keep_clear(Rect::from_center_size(origin, Vec2::new(2.0, 4.0 * rect.height())));
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
         boundaries::keep_clear(chart, &mut placement, home());
+        if let Some((_, locus)) = seen.locus {
+            marks::shun_path(chart, &mut placement, locus);
+        }
         for mode in self.modes {
             let anchor = chart.position(mode.lambda);
             if rect.contains(anchor) {

@@ -1,12 +1,15 @@
 //! The marks of a pole map: crosses, rings, diamonds, dotted paths.
 
-use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use nalgebra::Complex;
 
+use super::boundaries::spaced;
 use super::chart::Chart;
+use super::labels::Placement;
 use crate::flight::approximations::Approximation;
 use crate::flight::locus::Locus;
 use crate::flight::modes::Mode;
+use crate::flight::naming::ModeName;
 use crate::ui::theme::Palette;
 
 /// Half the size of the cross of a pole.
@@ -57,15 +60,28 @@ pub fn approximated(
 
 /// The path of each pole in the colour of its mode, dotted, broken where there is no such aircraft.
 pub fn path(painter: &Painter, chart: &Chart, palette: &Palette, locus: &Locus) {
-    for (branch, name) in locus.names.iter().enumerate() {
+    for (name, part) in parts(chart, locus) {
         let color = name.map_or(palette.ghost, |name| palette.mode(name)).gamma_multiply(0.65);
-        for run in locus.samples.split(|sample| sample.poles.is_none()) {
-            let poles = run.iter().filter_map(|sample| sample.poles).map(|poles| poles[branch]);
-            for part in chart.clipped(poles) {
-                painter.extend(Shape::dotted_line(&part, color, 4.0, 1.1));
-            }
-        }
+        painter.extend(Shape::dotted_line(&part, color, 4.0, 1.1));
     }
+}
+
+/// Keeps labels off the paths, where there is room elsewhere.
+pub fn shun_path(chart: &Chart, placement: &mut Placement, locus: &Locus) {
+    for at in parts(chart, locus).flat_map(|(_, part)| spaced(&part, 6.0)) {
+        placement.shun(Rect::from_center_size(at, Vec2::splat(3.0)));
+    }
+}
+
+/// What is to be seen of each pole's path, with the name of its mode.
+fn parts(chart: &Chart, locus: &Locus) -> impl Iterator<Item = (Option<ModeName>, Vec<Pos2>)> {
+    locus.names.iter().enumerate().flat_map(move |(branch, name)| {
+        let runs = locus.samples.split(|sample| sample.poles.is_none());
+        runs.flat_map(move |run| {
+            let poles = run.iter().filter_map(|sample| sample.poles).map(move |poles| poles[branch]);
+            chart.clipped(poles).into_iter().map(|part| (*name, part))
+        })
+    })
 }
 
 /// Where a drag wants the pole that could not follow: a dashed ring, and a dashed line to it.

@@ -30,8 +30,8 @@ mod trail;
 use egui::accesskit::{Live, Role};
 use egui::text::LayoutJob;
 use egui::{
-    Align2, Button, CursorIcon, EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, RichText, Sense,
-    Stroke, StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
+    Align2, Button, CursorIcon, Id, Key, Modifiers, Pos2, Rect, Response, RichText, Sense, Stroke,
+    StrokeKind, TextFormat, Tooltip, Ui, UiBuilder, Vec2, WidgetInfo,
 };
 use nalgebra::Complex;
 
@@ -44,21 +44,21 @@ use self::map::{CAPTION, Extras, Map};
 use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
-use super::axis_range::round_up;
 use super::memo::Memo;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
+use super::{arrow_keys, finger};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::locus::Locus;
 use crate::flight::modes::Mode;
-use crate::number::significant;
+use crate::number::{round_up, significant};
 use crate::scenario::{Page, Parameter, Scenario};
 
 const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
 /// A narrower map has room for the first words of its name only.
 const NARROW: f32 = 230.0;
-/// A narrower one has no room for zoom buttons: keys and fingers do as well.
+/// A narrower one has no room for zoom buttons, and a finger could not hit them: keys and two fingers do as well.
 const NARROWEST: f32 = 130.0;
 /// A press of a zoom button or key.
 const ZOOM_STEP: f64 = 1.5;
@@ -212,7 +212,7 @@ impl PoleMap {
         let boundaries: Vec<Boundary> = seen
             .scenario
             .task()
-            .filter(|_| self.choices.levels)
+            .filter(|_| self.choices.marks.levels)
             .map_or_else(Vec::new, |task| level_boundaries(seen.plane, task));
         let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, &boundaries);
         let focused = poles.iter().position(Response::has_focus).and_then(|k| {
@@ -229,7 +229,7 @@ impl PoleMap {
         for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
             let extras = Extras {
                 trail: &self.trail,
-                approximations: self.choices.approximations,
+                approximations: self.choices.marks.approximations,
                 boundaries: &boundaries,
                 held: self.held.as_ref().filter(|held| held.map == i),
                 outcome: self.outcome.as_ref(),
@@ -269,7 +269,7 @@ impl PoleMap {
         let map = grounds.iter().position(|ground| ground.hover_pos().is_some())?;
         let at = grounds[map].hover_pos()?;
         let here = maps[map].boundaries(boundaries);
-        let near = near(&charts[map], seen, self.choices.approximations, here, at, reach(ui))?;
+        let near = near(&charts[map], seen, self.choices.marks.approximations, here, at, reach(ui))?;
         if let Near::Pole(index) = near {
             ui.set_cursor_icon(if self.held.is_some() { CursorIcon::Grabbing } else { CursorIcon::Grab });
             self.choices.subject = Some(seen.plane.modes[index].naming.name);
@@ -286,16 +286,18 @@ impl PoleMap {
         let description = map.describe();
         ground.widget_info(|| WidgetInfo::labeled(Role::Image, true, description.as_str()));
         let pole = |at: Option<Pos2>| at.and_then(|at| nearest_pole(&chart, modes, at, reach(ui)));
-        let pinch = ui.input(|input| input.multi_touch());
-        if let Some(pinch) = pinch.filter(|pinch| chart.rect.contains(pinch.center_pos)) {
-            range.zoom(chart, f64::from(pinch.zoom_delta), chart.at(pinch.center_pos));
+        let pinch = finger::pinch(ui, &ground);
+        // A finger on a pole has taken it by now, whichever way it goes.
+        let held = self.held.is_some() || finger::works_on(ui, &ground);
+        if let Some(pinch) = pinch {
+            range.pinch(chart, pinch.center_pos, pinch.translation_delta, f64::from(pinch.zoom_delta));
         } else if let Some(at) = ground.hover_pos() {
             let factor = f64::from(ui.input(|input| input.zoom_delta()));
             if factor != 1.0 {
                 range.zoom(chart, factor, chart.at(at));
             }
         }
-        if ground.dragged() && self.held.is_none() && pinch.is_none() {
+        if ground.dragged() && held && self.held.is_none() && pinch.is_none() {
             range.pan(chart, -chart.across(ground.drag_motion()));
         }
         if ground.clicked() {
@@ -382,8 +384,7 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
             node.set_description("Arrow keys move it, with Shift further; Escape ends.");
         });
         if response.has_focus() {
-            let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-            ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+            arrow_keys::keep(ui, &response);
         }
         response
     };
@@ -392,6 +393,7 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
 
 /// Zoom in and out, and back where that is not where the map is.
 fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, middle: Complex<f64>) {
+    let roomy = map.rect.width() >= NARROWEST && !theme::is_for_fingers(ui);
     let row = Rect::from_min_size(map.rect.min, Vec2::new(map.rect.width(), CAPTION - 1.0));
     let layout = egui::Layout::right_to_left(egui::Align::Center);
     ui.scope_builder(UiBuilder::new().max_rect(row).layout(layout), |ui| {
@@ -405,7 +407,6 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
                 ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
             response.on_hover_text(does).clicked()
         };
-        let roomy = map.rect.width() >= NARROWEST;
         if roomy && pressed("+", "Zoom in") {
             range.zoom(chart, ZOOM_STEP, middle);
         }

@@ -1,6 +1,6 @@
 //! What a map shows: fitted to its poles, or held where a person has zoomed or moved it to.
 
-use egui::{Rect, Ui};
+use egui::{Pos2, Rect, Ui, Vec2};
 use nalgebra::Complex;
 
 use super::chart::{Chart, View};
@@ -66,6 +66,13 @@ impl MapRange {
         if factor.is_finite() && factor > 0.0 {
             self.held = Some(chart.view.zoomed(factor, about));
         }
+    }
+
+    /// What two fingers do: `centre` is where they are, `by` how far that has gone, `factor` how far they have parted.
+    pub fn pinch(&mut self, chart: Chart, centre: Pos2, by: Vec2, factor: f64) {
+        self.pan(chart, -chart.across(by));
+        let chart = Chart { view: self.held.unwrap_or(chart.view), ..chart };
+        self.zoom(chart, factor, chart.at(centre));
     }
 
     /// Moves what `chart` shows.

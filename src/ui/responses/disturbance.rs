@@ -4,7 +4,6 @@ use egui::{Button, ComboBox, RichText, Ui};
 
 use crate::flight::modes::Mode;
 use crate::scenario::{Choice, Parameter, Scenario, Source};
-use crate::ui::axis_range::round_up;
 use crate::ui::derivatives;
 use crate::ui::theme;
 
@@ -21,25 +20,18 @@ pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
     for parameter in keys.into_iter().chain(["times", "time"]).filter_map(Parameter::find) {
         derivatives::compact_ui(ui, scenario, parameter);
     }
-    fit_ui(ui, scenario, modes);
+    follow_ui(ui, scenario);
 }
 
-/// Shows as much time as the slowest mode takes.
-fn fit_ui(ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
-    let slowest = modes.iter().map(seen_in).fold(0.0, f64::max);
-    let button = ui.add_enabled(slowest > 0.0, Button::new(RichText::new("Fit").font(theme::small())));
-    let hover = "As much time as the slowest mode takes to be seen";
-    if button.accessible_name("Fit the time shown to the slowest mode").on_hover_text(hover).clicked() {
-        scenario.disturbance.sizes.time = slowest;
+/// Whether the time shown follows the motion: pressed out, it stays as it is; so it does once it is typed.
+fn follow_ui(ui: &mut Ui, scenario: &mut Scenario) {
+    let follows = &mut scenario.disturbance.follows;
+    let button = ui.add(Button::selectable(*follows, RichText::new("Auto").font(theme::small())));
+    let hover =
+        "The time shown follows the slowest mode that this disturbance makes visible; a typed time stays";
+    if button.accessible_name("Time shown follows the motion").on_hover_text(hover).clicked() {
+        *follows = !*follows;
     }
-}
-
-/// A round time in which three periods of a mode, or most of its dying away or growing, are seen \[s\].
-pub fn seen_in(mode: &Mode) -> f64 {
-    let periods = mode.period().map_or(0.0, |period| 3.0 * period);
-    let halves = 5.0 * mode.time_to_half().or(mode.time_to_double()).unwrap_or(60.0);
-    let wanted = if periods > 0.0 { periods.max(halves.min(2.0 * periods)) } else { halves };
-    round_up(wanted.clamp(2.0, 240.0))
 }
 
 fn source_ui(ui: &mut Ui, choice: &mut Choice, sources: &[Source]) {

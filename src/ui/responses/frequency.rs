@@ -14,27 +14,26 @@ use crate::flight::modes::{DynamicStability, Mode};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
+use crate::scenario::link::Sight;
 use crate::ui::derivatives::Rows;
 use crate::ui::theme::{self, Palette};
 
 /// Points over all frequencies: finer than a screen can tell between peaks.
 const POINTS: usize = 400;
 
-/// The output watched, of each plane.
+/// Gain and phase of one output.
 #[derive(Debug)]
 pub struct FrequencyPlots {
-    outputs: [Output; 2],
+    /// The output watched, of each plane.
+    pub outputs: [Output; 2],
     gain: SmallPlot,
     phase: SmallPlot,
 }
 
 impl Default for FrequencyPlots {
     fn default() -> Self {
-        Self {
-            outputs: [Output::PitchRate, Output::Sideslip],
-            gain: SmallPlot::default(),
-            phase: SmallPlot::default(),
-        }
+        let outputs = Sight::default().frequency_of;
+        Self { outputs, gain: SmallPlot::default(), phase: SmallPlot::default() }
     }
 }
 

@@ -19,10 +19,9 @@ use crate::flight::modes::Mode;
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
-use crate::scenario::link::Tab;
+use crate::scenario::link::{Sight, Tab};
 use crate::scenario::{Quantity, Scenario};
 
-pub use disturbance::seen_in;
 pub use studied::Studied;
 
 /// The pane as a person has set it up; nothing of it is studied.
@@ -67,6 +66,22 @@ impl Responses {
             let row = Rect::from_x_y_ranges(free.x_range(), ui.cursor().y_range());
             self.beside = Some(row.with_min_x(row.left() + 8.0));
         });
+    }
+
+    /// What is shown, for a link.
+    pub fn sight(&self, sight: &mut Sight) {
+        sight.shown = self.time.chosen.clone();
+        sight.split = self.time.split;
+        sight.portraits = self.phase.pairs;
+        sight.frequency_of = self.frequency.outputs;
+    }
+
+    /// Shows what a link shows.
+    pub fn look(&mut self, sight: &Sight) {
+        self.time.chosen = sight.shown.clone();
+        self.time.split = sight.split;
+        self.phase.pairs = sight.portraits;
+        self.frequency.outputs = sight.frequency_of;
     }
 
     /// Time under the pointer \[s\].

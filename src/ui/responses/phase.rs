@@ -10,25 +10,21 @@ use super::time::grid;
 use super::{index, output_ui};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
+use crate::scenario::link::Sight;
 use crate::ui::derivatives::Rows;
 use crate::ui::theme::Palette;
 
-/// Two portraits of each plane, (over, of): one for the fast mode, one for the slow.
+/// Two portraits of each plane.
 #[derive(Debug)]
 pub struct PhasePlots {
-    pairs: [[(Output, Output); 2]; 2],
+    /// (over, of): one for the fast mode, one for the slow.
+    pub pairs: [[(Output, Output); 2]; 2],
     plots: [SmallPlot; 2],
 }
 
 impl Default for PhasePlots {
     fn default() -> Self {
-        Self {
-            pairs: [
-                [(Output::AngleOfAttack, Output::PitchRate), (Output::ForwardSpeed, Output::PitchAngle)],
-                [(Output::Sideslip, Output::RollRate), (Output::Sideslip, Output::YawRate)],
-            ],
-            plots: Default::default(),
-        }
+        Self { pairs: Sight::default().portraits, plots: Default::default() }
     }
 }
 

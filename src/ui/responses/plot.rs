@@ -5,8 +5,9 @@ use std::ops::RangeInclusive;
 use egui::{Align2, Color32, FontId, Id, Rect, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role};
 use egui_plot::{HLine, Line, LineStyle, PlotPoint, PlotPoints, Points, Span, VLine};
 
-use crate::number::significant;
-use crate::ui::axis_range::{AxisRange, round_up};
+use crate::number::{round_up, significant};
+use crate::ui::axis_range::AxisRange;
+use crate::ui::finger;
 use crate::ui::responses::legend::{self, SAMPLE};
 use crate::ui::responses::thin::thin;
 use crate::ui::symbol::Symbol;
@@ -159,7 +160,10 @@ impl SmallPlot {
             rect.max - Vec2::new(0.0, GUTTER.y),
         );
         let response = draw(ui, frame, picture, (x.clone(), y), cursor);
-        let pointer = response.hover_pos()?;
+        let held = finger::works_on(ui, &response);
+        // A finger that has tapped is nowhere any more.
+        let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
+        let pointer = pointer.filter(|_| held)?;
         let fraction = f64::from((pointer.x - frame.left()) / frame.width()).clamp(0.0, 1.0);
         Some(x.start() + fraction * (x.end() - x.start()))
     }
@@ -324,7 +328,9 @@ fn tick_labels(
         ((value - range.start()) / (range.end() - range.start())) as f32
     };
     for mark in vertical {
-        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - fraction(y, mark.value) * rect.height());
+        // At the very bottom a little higher, above the first figure of the other axis.
+        let height = (fraction(y, mark.value) * rect.height()).max(5.0);
+        let at = egui::pos2(rect.left() - 4.0, rect.bottom() - height);
         ui.painter().text(at, Align2::RIGHT_CENTER, &mark.label, font.clone(), palette.weak);
     }
     let mut end = f32::INFINITY;

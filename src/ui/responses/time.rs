@@ -1,5 +1,7 @@
 //! The motion over time: small multiples on one time axis with one cursor, whole or split into its modes.
 
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::style::StyleModifier;
 use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
 use super::legend;
@@ -10,6 +12,7 @@ use crate::content::LengthUnit;
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::Quantity;
+use crate::scenario::link::Sight;
 use crate::ui::derivatives::Rows;
 use crate::ui::theme::Palette;
 
@@ -21,9 +24,9 @@ const GAP: Vec2 = Vec2::new(12.0, 6.0);
 #[derive(Debug)]
 pub struct TimePlots {
     /// What is shown, of each plane.
-    chosen: [Vec<Output>; 2],
+    pub chosen: [Vec<Output>; 2],
     /// Whether the parts of the modes are shown.
-    split: bool,
+    pub split: bool,
     plots: Vec<SmallPlot>,
     /// Time under the pointer \[s\].
     hovered: Option<f64>,
@@ -33,16 +36,8 @@ pub struct TimePlots {
 
 impl Default for TimePlots {
     fn default() -> Self {
-        let first = |plane| Output::of(plane)[..5].to_vec();
-        let mut longitudinal = first(Plane::Longitudinal);
-        longitudinal[4] = Output::Height;
-        Self {
-            chosen: [longitudinal, first(Plane::Lateral)],
-            split: false,
-            plots: Vec::new(),
-            hovered: None,
-            played: None,
-        }
+        let Sight { shown, split, .. } = Sight::default();
+        Self { chosen: shown, split, plots: Vec::new(), hovered: None, played: None }
     }
 }
 
@@ -60,9 +55,10 @@ impl TimePlots {
     /// Which outputs, and whether split.
     pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
         let chosen = &mut self.chosen[index(plane)];
-        let button = egui::containers::menu::MenuButton::new("Show ▾").config(
-            egui::containers::menu::MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside),
-        );
+        // Boxes to tick have their outline, which the style of menus takes away.
+        let config = MenuConfig::new().style(StyleModifier::default());
+        let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let button = MenuButton::new("Show ▾").config(config);
         let (response, _) = button.ui(ui, |ui| {
             for &output in Output::of(plane) {
                 let quantity = Quantity::of(output);

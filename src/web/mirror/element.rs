@@ -114,6 +114,17 @@ impl Kind {
         matches!(self, Self::CheckBox | Self::Radio | Self::Button | Self::ComboBox | Self::Item(_))
     }
 
+    /// Whether it does something with a key itself: the browser, or an action that follows.
+    pub fn uses_key(self, key: &str) -> bool {
+        match self {
+            Self::SpinButton | Self::Text => !matches!(key, "Tab" | "Escape"),
+            Self::Slider => key.starts_with("Arrow") || matches!(key, "Home" | "End" | "PageUp" | "PageDown"),
+            Self::CheckBox | Self::Radio => key == " ",
+            Self::Button | Self::ComboBox => matches!(key, " " | "Enter"),
+            _ => false,
+        }
+    }
+
     /// Whether one types into it.
     pub fn is_typed(self) -> bool {
         matches!(self, Self::SpinButton | Self::Text)

@@ -1,0 +1,15 @@
+//! Arrow keys that a widget takes for itself while it has the focus, so that they don't move the focus on.
+
+use egui::{EventFilter, FocusDirection, Response, Ui};
+
+/// To be called in every frame in which the widget has the focus.
+///
+/// egui locks the arrow keys from the second frame on only. One that is pressed sooner would work on the widget and take the
+/// focus away from it.
+pub fn keep(ui: &Ui, response: &Response) {
+    let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+    ui.memory_mut(|memory| {
+        memory.set_focus_lock_filter(response.id, arrows);
+        memory.move_focus(FocusDirection::None);
+    });
+}

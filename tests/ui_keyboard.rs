@@ -1,0 +1,143 @@
+//! The page by keyboard alone: where Tab goes, what is seen of it, and whose the arrow keys are.
+
+use std::collections::HashSet;
+
+use egui::accesskit::{NodeId, Role};
+use egui::{Key, Modifiers, Rect, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::scenario::Parameter;
+use eigenwing::ui::App;
+
+const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
+const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+
+type Page = Harness<'static, Option<App>>;
+
+fn page(size: Vec2) -> Page {
+    let mut harness = Harness::builder().with_size(size).build_ui_state(
+        |ui, app: &mut Option<App>| {
+            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
+        },
+        None,
+    );
+    harness.run();
+    harness
+}
+
+fn value(page: &Page, key: &str) -> f64 {
+    let app = page.state().as_ref().expect("the page has been drawn");
+    Parameter::find(key).expect("a row").get(app.scenario())
+}
+
+/// What has the focus: its id, what it says, where it is.
+fn focused(page: &Page) -> Option<(NodeId, String, Rect)> {
+    let node = page.query_by(|node| node.is_focused() && node.role() != Role::Window)?;
+    let label = node.accesskit_node().label().unwrap_or_default();
+    Some((node.accesskit_node().locate().0, label, node.rect()))
+}
+
+/// Every shape near a place, but for grounds that go far beyond it.
+fn painted(page: &Page, near: Rect) -> Vec<String> {
+    let near = near.expand(16.0);
+    let shapes = page.output().shapes.iter();
+    let here = shapes.filter(|clipped| {
+        let rect = clipped.shape.visual_bounding_rect().intersect(clipped.clip_rect);
+        rect.intersects(near) && near.expand(40.0).contains_rect(rect)
+    });
+    here.map(|clipped| format!("{:?}", clipped.shape)).collect()
+}
+
+#[test]
+fn tab_goes_once_round_the_whole_page_and_is_seen_at_every_stop() {
+    for size in [WIDE, PHONE] {
+        let mut page = page(size);
+        let roles = [Role::Button, Role::Slider, Role::CheckBox, Role::ComboBox, Role::TextInput];
+        let reachable: HashSet<NodeId> = page
+            .query_all_by(|node| roles.contains(&node.role()) && !node.is_disabled())
+            .map(|node| node.accesskit_node().locate().0)
+            .collect();
+        let (mut stops, mut seen) = (Vec::new(), HashSet::new());
+        loop {
+            page.key_press(Key::Tab);
+            // So long that what is out of sight has been scrolled to.
+            page.run_steps(25);
+            let (id, label, rect) = focused(&page).expect("something has the focus");
+            if !seen.insert(id) {
+                assert_eq!(Some(&id), stops.first(), "{size}: from the last to the first, not to {label}");
+                break;
+            }
+            stops.push(id);
+            let with = painted(&page, rect);
+            page.key_press(Key::Escape);
+            page.step();
+            page.step();
+            assert_eq!(focused(&page), None);
+            assert!(painted(&page, rect) != with, "{size}: nothing shows that {label} has the focus");
+            let node = page.query_by(|node| node.locate().0 == id).expect("it is still there");
+            node.focus();
+            page.step();
+            page.step();
+            assert!(stops.len() < 200, "{size}: no end");
+        }
+        assert!(stops.len() > 40, "{size}: {}", stops.len());
+        let missed: Vec<String> = page
+            .query_all_by(|node| reachable.contains(&node.locate().0) && !seen.contains(&node.locate().0))
+            .map(|node| format!("{:?}", node.accesskit_node().label()))
+            .collect();
+        assert!(missed.is_empty(), "{size}: never reached: {missed:?}");
+    }
+}
+
+#[test]
+fn an_arrow_key_in_the_very_next_frame_works_on_what_tab_has_reached_and_stays_there() {
+    for name in ["trim lift C_L", "Time of the playback in s", "trim drag C_D, typed", "Find a derivative"] {
+        for (there, modifiers) in [(Key::ArrowRight, Modifiers::NONE), (Key::ArrowDown, Modifiers::NONE)] {
+            let mut page = page(WIDE);
+            page.get_by_label(name).focus();
+            page.step();
+            page.key_press_modifiers(modifiers, there);
+            page.step();
+            page.step();
+            let (_, label, _) = focused(&page).expect("something has the focus");
+            assert_eq!(label, name, "{there:?}");
+        }
+    }
+    let mut page = page(WIDE);
+    let before = value(&page, "cl");
+    page.get_by_label("trim lift C_L").focus();
+    page.step();
+    page.key_press(Key::ArrowRight);
+    page.step();
+    assert!(value(&page, "cl") > before);
+}
+
+#[test]
+fn enter_and_space_press_and_escape_closes_what_is_in_front_first() {
+    let mut page = page(WIDE);
+    let toggled = |page: &Page, name: &str| page.get_by_label(name).accesskit_node().toggled();
+    for key in [Key::Enter, Key::Space] {
+        let before = toggled(&page, "Level boundaries");
+        page.get_by_label("Level boundaries").focus();
+        page.run();
+        page.key_press(key);
+        page.run();
+        assert_ne!(toggled(&page, "Level boundaries"), before, "{key:?}");
+    }
+    // A list over a pane over the page: each Escape closes one.
+    page.key_press(Key::Escape);
+    page.run();
+    page.key_press(Key::R);
+    page.run();
+    assert!(page.query_by_label_contains("Pole map, All modes").is_none());
+    page.get_by_role_and_label(Role::ComboBox, "Disturbance").click();
+    page.run();
+    let open = page.query_all_by_role(Role::Button).count();
+    page.key_press(Key::Escape);
+    page.run();
+    assert!(page.query_all_by_role(Role::Button).count() < open, "the list is closed");
+    assert!(page.query_by_label_contains("Pole map, All modes").is_none(), "the pane is not");
+    page.key_press(Key::Escape);
+    page.run();
+    assert!(page.query_by_label_contains("Pole map, All modes").is_some(), "now it is");
+}

@@ -1,0 +1,226 @@
+//! The scene that undo goes through, in the user interface: the time shown, and the pinned state.
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use eigenwing::ui::App;
+
+const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
+const TIME: &str = "time shown in s";
+const AUTO: &str = "Time shown follows the motion";
+const PIN: &str = "Pin this state, to compare what comes next with it";
+
+type Page = Harness<'static, Option<App>>;
+
+fn page(link: &'static str) -> Page {
+    let mut harness = Harness::builder().with_size(WIDE).build_ui_state(
+        move |ui, app: &mut Option<App>| {
+            let start = || {
+                let mut app = App::new(ui.ctx()).expect("an aircraft");
+                app.open(link);
+                app
+            };
+            app.get_or_insert_with(start).ui(ui);
+        },
+        None,
+    );
+    harness.run_steps(10);
+    harness
+}
+
+fn app(harness: &mut Page) -> &mut App {
+    harness.state_mut().as_mut().expect("the page has been drawn")
+}
+
+fn time(harness: &mut Page) -> f64 {
+    app(harness).scenario().disturbance.sizes.time
+}
+
+fn follows(harness: &mut Page) -> bool {
+    app(harness).scenario().disturbance.follows
+}
+
+fn link(harness: &mut Page) -> String {
+    app(harness).link()
+}
+
+fn press(harness: &mut Page, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run_steps(3);
+}
+
+/// Long enough for an edit to be a step of its own.
+fn pause(harness: &mut Page) {
+    harness.run_steps(10);
+}
+
+fn type_time(harness: &mut Page, text: &str) {
+    harness.get_by_role_and_label(Role::TextInput, TIME).focus();
+    harness.run_steps(2);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.get_by_role_and_label(Role::TextInput, TIME).type_text(text);
+    harness.run_steps(2);
+    harness.key_press(Key::Enter);
+    pause(harness);
+}
+
+#[test]
+fn the_page_opens_with_a_time_that_follows_and_nothing_to_undo() {
+    let mut harness = page("");
+    assert!(follows(&mut harness));
+    assert_eq!(time(&mut harness), 60.0);
+    assert_eq!(link(&mut harness), "v=1&ac=navion");
+    press(&mut harness, "Undo");
+    assert!(follows(&mut harness));
+}
+
+#[test]
+fn a_typed_time_stays_until_auto_is_pressed_and_undo_takes_back_both() {
+    let mut harness = page("");
+    type_time(&mut harness, "20");
+    assert_eq!((time(&mut harness), follows(&mut harness)), (20.0, false));
+    assert_eq!(link(&mut harness), "v=1&ac=navion&time=20");
+    press(&mut harness, AUTO);
+    pause(&mut harness);
+    assert!(follows(&mut harness));
+    let period = {
+        let modes = &app(&mut harness).plane().expect("an analysis").modes;
+        modes.iter().filter_map(|mode| mode.period()).fold(0.0, f64::max)
+    };
+    let shown = time(&mut harness);
+    assert!(shown > 1.5 * period && shown < 4.0 * period, "{shown} s, phugoid of {period} s");
+    press(&mut harness, "Undo");
+    assert_eq!((time(&mut harness), follows(&mut harness)), (20.0, false));
+    press(&mut harness, "Undo");
+    assert_eq!((time(&mut harness), follows(&mut harness)), (60.0, true));
+    press(&mut harness, "Redo");
+    assert_eq!((time(&mut harness), follows(&mut harness)), (20.0, false));
+}
+
+/// The time of a link is what the sender saw; one without a word begins with a minute.
+#[test]
+fn an_old_link_with_a_time_keeps_it_and_one_without_follows() {
+    let mut harness = page("v=1&ac=b747-cruise-etkin&time=90");
+    assert_eq!((time(&mut harness), follows(&mut harness)), (90.0, false));
+    let mut harness = page("v=1&ac=b747-cruise-etkin");
+    let shown = time(&mut harness);
+    assert!(follows(&mut harness) && shown > 150.0, "{shown} s");
+    let link = link(&mut harness);
+    assert!(link.ends_with(&format!("&follows={shown}")), "{link}");
+}
+
+/// While the pointer is down the time keeps still; once it is up, it goes to the divergence that the slider has led to.
+#[test]
+fn the_time_keeps_still_during_a_drag_and_is_no_step_of_its_own() {
+    let mut harness = page("v=1&ac=navion");
+    let before = app(&mut harness).scenario().clone();
+    let slider = harness.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").rect();
+    let (from, to) = (slider.center(), slider.right_center());
+    harness.drag_at(from);
+    harness.run_steps(2);
+    let mut x = from.x;
+    while x < to.x + 20.0 {
+        x += 6.0;
+        harness.hover_at(egui::pos2(x, from.y));
+        harness.run_steps(1);
+        assert_eq!(time(&mut harness), 60.0);
+    }
+    assert_ne!(app(&mut harness).scenario(), &before, "the slider has moved");
+    harness.drop_at(egui::pos2(x, from.y));
+    harness.run_steps(3);
+    let after = time(&mut harness);
+    assert_ne!(after, 60.0);
+    pause(&mut harness);
+    press(&mut harness, "Undo");
+    pause(&mut harness);
+    let undone = app(&mut harness).scenario().clone();
+    assert_eq!(undone.edited, before.edited, "one step");
+    press(&mut harness, "Undo");
+    assert_eq!(app(&mut harness).scenario().edited, before.edited, "and nothing before it");
+}
+
+#[test]
+fn undo_takes_back_a_pin_and_redo_brings_it_again() {
+    let mut harness = page("v=1&ac=navion&speed=60");
+    press(&mut harness, PIN);
+    harness.get_by_label_contains("pinned: Navion");
+    // At once, with no pause for the history.
+    press(&mut harness, "Undo");
+    assert_eq!(harness.query_all_by_label_contains("pinned: Navion").count(), 0);
+    assert_eq!(link(&mut harness), "v=1&ac=navion&speed=60");
+    press(&mut harness, "Redo");
+    harness.get_by_label_contains("pinned: Navion");
+    assert_eq!(link(&mut harness), "v=1&ac=navion&speed=60&pin.ac=navion&pin.speed=60");
+}
+
+#[test]
+fn undo_brings_back_a_state_that_was_unpinned() {
+    let mut harness = page("v=1&ac=navion&pin.ac=b747-approach&pin.speed=90");
+    let before = link(&mut harness);
+    harness.key_press(Key::G);
+    harness.run_steps(3);
+    assert_eq!(link(&mut harness), "v=1&ac=navion");
+    press(&mut harness, "Undo");
+    assert_eq!(link(&mut harness), before);
+}
+
+/// The warning about units offers the lesson with gravity in the unit of its other entries.
+#[test]
+fn undo_takes_back_a_comparison_that_was_offered() {
+    let mut harness = page("v=1&ac=lesson-printed");
+    let before = link(&mut harness);
+    press(&mut harness, "Compare with gravity in the same unit");
+    assert!(link(&mut harness).contains("pin.ac=lesson"));
+    press(&mut harness, "Undo");
+    assert_eq!(link(&mut harness), before);
+}
+
+#[test]
+fn a_link_is_one_step_and_undo_brings_back_the_pinned_state_before_it() {
+    let mut harness = page("v=1&ac=navion&pin.ac=navion&pin.speed=60");
+    let before = link(&mut harness);
+    app(&mut harness).open("v=1&ac=b747-approach&pin.ac=navion&pin.speed=50");
+    pause(&mut harness);
+    assert!(link(&mut harness).contains("pin.speed=50"));
+    press(&mut harness, "Undo");
+    assert_eq!(link(&mut harness), before);
+}
+
+/// One fine step of a slider.
+fn nudge(harness: &mut Page) {
+    harness.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").focus();
+    harness.run_steps(2);
+    harness.key_press(Key::ArrowRight);
+    harness.run_steps(2);
+}
+
+#[test]
+fn what_was_undone_is_gone_once_something_is_pinned() {
+    let mut harness = page("v=1&ac=navion");
+    nudge(&mut harness);
+    pause(&mut harness);
+    press(&mut harness, "Undo");
+    press(&mut harness, PIN);
+    let pinned = link(&mut harness);
+    press(&mut harness, "Redo");
+    assert_eq!(link(&mut harness), pinned);
+}
+
+/// A pin between two edits in quick succession is a step between them.
+#[test]
+fn a_pin_is_a_step_of_its_own_whatever_is_edited_around_it() {
+    let mut harness = page("v=1&ac=navion");
+    nudge(&mut harness);
+    let edited = link(&mut harness);
+    assert_ne!(edited, "v=1&ac=navion");
+    press(&mut harness, PIN);
+    let pinned = link(&mut harness);
+    nudge(&mut harness);
+    press(&mut harness, "Undo");
+    assert_eq!(link(&mut harness), pinned);
+    press(&mut harness, "Undo");
+    assert_eq!(link(&mut harness), edited);
+    press(&mut harness, "Undo");
+    assert_eq!(link(&mut harness), "v=1&ac=navion");
+}

@@ -1,0 +1,247 @@
+//! The page under fingers, as a browser tells of them: what scrolls, and what they work on.
+
+use egui::accesskit::{Role, Toggled};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::scenario::{Parameter, Scenario};
+use eigenwing::ui::App;
+
+const TABLET: Vec2 = Vec2::new(1024.0, 768.0);
+const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+/// A phone that lies on its side, or a page zoomed to twice its size.
+const LOW: Vec2 = Vec2::new(720.0, 450.0);
+
+const UP: Vec2 = Vec2::new(6.0, -90.0);
+const SIDEWAYS: Vec2 = Vec2::new(-60.0, 8.0);
+
+type Page = Harness<'static, Option<App>>;
+
+fn page(size: Vec2) -> Page {
+    let mut harness = Harness::builder().with_size(size).build_ui_state(
+        |ui, app: &mut Option<App>| {
+            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
+        },
+        None,
+    );
+    harness.run();
+    harness
+}
+
+fn scenario(page: &Page) -> &Scenario {
+    page.state().as_ref().expect("the page has been drawn").scenario()
+}
+
+fn value(page: &Page, key: &str) -> f64 {
+    Parameter::find(key).expect("a row").get(scenario(page))
+}
+
+fn rect(page: &Page, words: &str) -> Rect {
+    page.get_by_label_contains(words).rect()
+}
+
+const MAP: &str = "Pole map, All modes";
+const AIRCRAFT: &str = "Navion: pitch";
+
+/// A place of the map where nothing is.
+fn empty_spot(page: &Page) -> Pos2 {
+    rect(page, MAP).left_top() + Vec2::new(14.0, 24.0)
+}
+
+fn touch(page: &mut Page, finger: u64, phase: TouchPhase, pos: Pos2) {
+    let (device_id, id) = (TouchDeviceId(0), TouchId(finger));
+    page.input_mut().events.push(Event::Touch { device_id, id, phase, pos, force: None });
+}
+
+fn button(page: &mut Page, pos: Pos2, pressed: bool) {
+    let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+    page.input_mut().events.push(Event::PointerButton { pos, button, pressed, modifiers });
+}
+
+fn put_down(page: &mut Page, at: Pos2) {
+    button(page, at, true);
+    touch(page, 0, TouchPhase::Start, at);
+    page.step();
+}
+
+fn lift(page: &mut Page, at: Pos2) {
+    button(page, at, false);
+    page.input_mut().events.push(Event::PointerGone);
+    touch(page, 0, TouchPhase::End, at);
+    page.step();
+}
+
+/// One finger: put down, drawn in some steps, rested and lifted.
+fn swipe(page: &mut Page, from: Pos2, by: Vec2) {
+    put_down(page, from);
+    for k in 1..=9 {
+        let at = from + by * (k as f32 / 9.0);
+        page.input_mut().events.push(Event::PointerMoved(at));
+        touch(page, 0, TouchPhase::Move, at);
+        page.step();
+    }
+    // So long that nothing rolls out.
+    page.run_steps(8);
+    lift(page, from + by);
+    page.run_steps(3);
+}
+
+/// Two fingers drawn together, a hand's breadth apart.
+fn swipe_by_two(page: &mut Page, from: Pos2, by: Vec2) {
+    let other = Vec2::new(40.0, 10.0);
+    put_down(page, from);
+    button(page, from, true);
+    touch(page, 1, TouchPhase::Start, from + other);
+    page.step();
+    for k in 1..=9 {
+        let at = from + by * (k as f32 / 9.0);
+        page.input_mut().events.push(Event::PointerMoved(at));
+        touch(page, 0, TouchPhase::Move, at);
+        touch(page, 1, TouchPhase::Move, at + other);
+        page.step();
+    }
+    touch(page, 1, TouchPhase::End, from + by + other);
+    lift(page, from + by);
+    page.run_steps(3);
+}
+
+/// Whether the aircraft is seen as the page opens.
+fn is_three_quarter(page: &Page) -> bool {
+    page.get_by_label("Three-quarter view").accesskit_node().toggled() == Some(Toggled::True)
+}
+
+/// Another pane of a phone.
+fn turn_to(page: &mut Page, pane: &str) {
+    page.get_by_role_and_label(Role::Button, pane).click();
+    page.run();
+}
+
+/// Where a pole is on its map.
+fn on_map(page: &Page) -> Vec2 {
+    rect(page, "Short period pole, ").center() - rect(page, MAP).min
+}
+
+#[test]
+fn a_finger_going_up_scrolls_the_page_wherever_it_begins() {
+    for size in [TABLET, LOW] {
+        let mut page = page(size);
+        let pole = on_map(&page);
+        let spot = empty_spot(&page);
+        let before = rect(&page, MAP).top();
+        swipe(&mut page, spot, UP);
+        let after = rect(&page, MAP).top();
+        assert!((before - after - 80.0).abs() < 15.0, "{size}, the map: {before} to {after}");
+        assert!((on_map(&page) - pole).length() < 0.5, "{size}: the map itself stays");
+        swipe(&mut page, spot, -2.0 * UP);
+
+        if size == LOW {
+            // There the aircraft is below the responses: brought onto the screen first.
+            page.get_by_label_contains(AIRCRAFT).scroll_to_me();
+            page.run();
+        }
+        let from = rect(&page, AIRCRAFT).center().clamp(Pos2::ZERO, (0.8 * size).to_pos2());
+        let before = rect(&page, AIRCRAFT).top();
+        swipe(&mut page, from, if size == LOW { -UP } else { UP });
+        let after = rect(&page, AIRCRAFT).top();
+        assert!(((after - before).abs() - 80.0).abs() < 15.0, "{size}, the aircraft: {before} to {after}");
+        assert!(is_three_quarter(&page), "{size}: nor does the aircraft turn");
+    }
+}
+
+#[test]
+fn a_finger_going_sideways_or_two_fingers_turn_the_aircraft_and_scroll_nothing() {
+    type Fingers = fn(&mut Page, Pos2, Vec2);
+    let hands: [(Fingers, Vec2); 3] = [(swipe, SIDEWAYS), (swipe_by_two, UP), (swipe_by_two, SIDEWAYS)];
+    for (fingers, by) in hands {
+        let mut page = page(TABLET);
+        let before = rect(&page, AIRCRAFT);
+        fingers(&mut page, before.center(), by);
+        assert_eq!(rect(&page, AIRCRAFT).min, before.min, "{by}");
+        assert!(!is_three_quarter(&page), "{by}");
+    }
+}
+
+#[test]
+fn two_fingers_move_the_map_with_them() {
+    for (size, by) in [(TABLET, UP / 3.0), (PHONE, UP / 3.0), (PHONE, SIDEWAYS / 3.0)] {
+        let mut page = page(size);
+        let (before, pole) = (rect(&page, MAP), on_map(&page));
+        let from = before.center() - Vec2::new(20.0, 0.0);
+        swipe_by_two(&mut page, from, by);
+        assert_eq!(rect(&page, MAP).min, before.min, "{size} {by}");
+        let moved = on_map(&page) - pole;
+        assert!((moved - by).length() < 0.25 * by.length(), "{size}: {moved}, not {by}");
+    }
+}
+
+#[test]
+fn a_finger_on_a_pole_takes_it_whichever_way_it_goes() {
+    for size in [TABLET, PHONE] {
+        let mut page = page(size);
+        let (before, map) = (value(&page, "cm_alpha"), rect(&page, MAP));
+        let from = rect(&page, "Short period pole, ").center();
+        swipe(&mut page, from, Vec2::new(1.0, -16.0));
+        assert!(value(&page, "cm_alpha") < before, "{size}: up is faster, so stiffer");
+        assert_eq!(rect(&page, MAP).min, map.min, "{size}: and nothing scrolls");
+    }
+}
+
+#[test]
+fn on_a_phone_a_finger_going_up_on_the_map_or_a_slider_scrolls_the_sliders_and_sets_none() {
+    let mut page = page(PHONE);
+    let before = scenario(&page).clone();
+    let slider = |page: &Page| {
+        page.get_by_role_and_label(Role::Slider, "pitching moment due to Mach number C_mM").rect()
+    };
+    let (pole, place) = (on_map(&page), slider(&page));
+    let spot = empty_spot(&page);
+    swipe(&mut page, spot, UP);
+    let scrolled = slider(&page);
+    assert!((place.top() - scrolled.top() - 80.0).abs() < 15.0, "{place} to {scrolled}");
+    assert!((on_map(&page) - pole).length() < 0.5);
+    swipe(&mut page, scrolled.center() + Vec2::new(20.0, 0.0), UP / 2.0);
+    assert!(slider(&page).top() < scrolled.top() - 25.0, "over a slider too");
+    assert_eq!(scenario(&page), &before);
+    let at = slider(&page).center() + Vec2::new(20.0, 0.0);
+    swipe(&mut page, at, Vec2::new(25.0, 6.0));
+    assert_ne!(scenario(&page), &before, "sideways it is drawn along");
+}
+
+#[test]
+fn over_the_whole_page_one_finger_works_on_the_aircraft() {
+    let mut page = page(TABLET);
+    page.key_press(Key::A);
+    page.run();
+    let from = rect(&page, AIRCRAFT).center();
+    swipe(&mut page, from, UP);
+    assert!(!is_three_quarter(&page));
+}
+
+#[test]
+fn a_tap_on_a_plot_moves_the_cursor_and_a_finger_going_up_scrolls() {
+    let mut page = page(PHONE);
+    turn_to(&mut page, "Response");
+    let plot = |page: &Page| {
+        let mut plots = page.get_all_by_label_contains(" against time: between ");
+        plots.next().expect("a plot").rect()
+    };
+    let before = plot(&page);
+    swipe(&mut page, before.center(), UP);
+    let after = plot(&page);
+    assert!((before.top() - after.top() - 80.0).abs() < 15.0, "{before} to {after}");
+    let time = |page: &mut Page| {
+        turn_to(page, "Aircraft");
+        let time = page.get_by_label("Time of the playback in s").accesskit_node().numeric_value();
+        turn_to(page, "Response");
+        time.expect("a time")
+    };
+    assert_eq!(time(&mut page), 0.0, "a swipe points at no moment");
+    let at = plot(&page).center();
+    put_down(&mut page, at);
+    lift(&mut page, at);
+    page.run();
+    let tapped = time(&mut page);
+    assert!(tapped > 0.0);
+    swipe(&mut page, at, Vec2::new(50.0, 4.0));
+    assert!(time(&mut page) > tapped, "and sideways it goes along");
+}
