@@ -160,6 +160,7 @@ impl SmallPlot {
             rect.max - Vec2::new(0.0, GUTTER.y),
         );
         let response = draw(ui, frame, picture, (x.clone(), y), cursor);
+        theme::focus_ring(ui, &response);
         let held = finger::works_on(ui, &response);
         // A finger that has tapped is nowhere any more.
         let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
