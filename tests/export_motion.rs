@@ -201,6 +201,15 @@ fn a_peak_is_a_sample_and_a_steady_value_is_where_a_long_motion_ends() {
 }
 
 #[test]
+fn turbulence_has_no_first_swing() {
+    let request =
+        ResponseRequest { disturbance: Some("turbulence".to_owned()), ..ResponseRequest::default() };
+    let figures = motion("navion", &[], &request).figures;
+    assert_eq!(figures.phugoid_swing, None);
+    assert!(figures.peak_load_factor.is_some());
+}
+
+#[test]
 fn the_time_to_bank_is_when_the_bank_angle_is_30_degrees() {
     let request = ResponseRequest { steps: Some(1200), ..disturbed_by("aileron", "step") };
     let report = motion("navion", &[("aileron", 0.1), ("time", 6.0)], &request);

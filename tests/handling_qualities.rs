@@ -91,10 +91,55 @@ fn the_x15_is_on_the_boundary_and_the_navion_is_not() {
     assert!(found.on_boundary && found.level == Level::Two);
     assert_eq!(
         found.sentence(),
-        "Level 2, on the boundary: ζ is 0.350, Level 1 asks at least 0.350 (MIL-F-8785C 3.2.2.1.2, Table IV, p. 13)."
+        "Level 2, on the boundary: ζ is 0.350, Level 1 asks 0.350 to 1.30 (MIL-F-8785C 3.2.2.1.2, Table IV, p. 13, Category A)."
     );
     let navion = reference("navion_teper_sl").model(Plane::Longitudinal);
     assert!(verdicts(&navion, Class::I, Category::B).iter().all(|v| !v.on_boundary && v.level == Level::One));
+}
+
+/// Table IV and Figure 2 bound both quantities on both sides in Category B: 0.30 ≤ ζ ≤ 2.00, 0.085 ≤ CAP ≤ 3.6.
+#[test]
+fn a_sentence_tells_both_limits() {
+    let navion = reference("navion_teper_sl").model(Plane::Longitudinal);
+    let sentence = |criterion| verdict(&navion, Class::I, Category::B, criterion).sentence();
+    let damping = sentence(Criterion::ShortPeriodDamping);
+    assert!(damping.contains("lies within Level 1’s 0.300 to 2.00 (MIL-F-8785C"), "{damping}");
+    let frequency = sentence(Criterion::ShortPeriodFrequency);
+    assert!(frequency.contains("lies within Level 1’s 0.0850 to 3.60 (rad/s)²/(g/rad)"), "{frequency}");
+    assert!(sentence(Criterion::Phugoid).contains("Level 1 asks at least 0.0400"));
+}
+
+#[test]
+fn a_stable_spiral_tells_the_limit_that_it_cannot_miss() {
+    let navion = reference("navion_teper_sl").model(Plane::Lateral);
+    for (category, limit) in [(Category::B, "20.0 s"), (Category::C, "12.0 s")] {
+        let found = verdict(&navion, Class::I, category, Criterion::Spiral);
+        assert!(found.level == Level::One && found.governing.is_none());
+        let sentence = found.sentence();
+        assert!(
+            sentence.contains(&format!("never doubles, Level 1 asks T₂ of at least {limit}")),
+            "{sentence}"
+        );
+    }
+}
+
+/// (λ + 1)(λ + 4) = λ² + 5λ + 4: ωₙ = 2, ζ = 1.25.
+#[test]
+fn an_overdamped_short_period_is_judged_as_one_motion_and_says_so() {
+    let mut model = reference("navion_teper_sl").model(Plane::Longitudinal);
+    let v = model.a[(1, 2)];
+    // Zw + Mq = −5, Zw Mq − V Mw = 4
+    model.a[(1, 1)] = -2.5;
+    model.a[(2, 2)] = -2.5;
+    model.a[(2, 1)] = 2.25 / v;
+    let found = verdict(&model, Class::I, Category::B, Criterion::ShortPeriodDamping);
+    let zeta = value(&found, Quantity::DampingRatio);
+    assert!((zeta - 1.25).abs() < 0.1, "{zeta}");
+    assert!(found.sentence().contains(", its two real roots taken as one motion ("), "{}", found.sentence());
+    for name in [ModeName::ShortPeriod, ModeName::ShortPeriodFastRoot, ModeName::ShortPeriodSlowRoot] {
+        assert!(found.criterion.judges(name));
+    }
+    assert!(!found.criterion.judges(ModeName::PhugoidSlowRoot));
 }
 
 #[test]
@@ -171,6 +216,8 @@ fn a_coupled_roll_spiral_is_judged_by_its_product_and_not_allowed_in_category_a(
     // ζωₙ = 0.4
     assert_eq!(level(Category::B), Level::Two);
     assert_eq!(level(Category::A), Level::Beyond);
+    let sentence = verdict(&coupled(), Class::I, Category::A, Criterion::CoupledRollSpiral).sentence();
+    assert!(sentence.contains("is allowed in this category"), "{sentence}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eigenwing::content::embedded_aircraft;
 use eigenwing::flight::analysis::{Motion, STANDARD_GRAVITY};
 use eigenwing::flight::figures::{
-    control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
+    control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_figures, time_to_bank,
 };
 use eigenwing::flight::frequency_response::{frequency_response, peaks, transfer};
 use eigenwing::flight::modes::Mode;
@@ -263,6 +263,20 @@ fn the_phugoid_swings_in_height_as_in_speed() {
     let earlier = (std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
     let traded = of_speed * earlier * motion.model.trim.speed / STANDARD_GRAVITY;
     assert!((of_height / traded - 1.0).abs() < 0.02, "{of_height} m beside {traded} m");
+}
+
+/// Over whole periods a sine of amplitude a has a/√2, a constant added to it adds its square; no size runs over.
+#[test]
+fn the_root_mean_square_is_that_of_a_sine_at_any_size() {
+    for size in [1.0, 3e-200, 1e300] {
+        let values: Vec<f64> =
+            (0..400).map(|k| size * (0.5 + (f64::from(k) * std::f64::consts::TAU / 100.0).sin())).collect();
+        let expected = size * 0.75_f64.sqrt();
+        let found = root_mean_square(&values).expect("values");
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} beside {expected}");
+    }
+    assert_eq!((root_mean_square(&[0.0; 3]), root_mean_square(&[])), (Some(0.0), None));
+    assert_eq!(root_mean_square(&[-2.0]), Some(2.0), "of the population: one value is its own");
 }
 
 #[test]

@@ -153,7 +153,7 @@ fn window(page: &Page) -> Rect {
 /// A pane that reaches down to the end of the window, with the ground around it.
 fn pane(page: &Page, heading: &str, name: &str) -> Rect {
     let heading = page.get_by_role_and_label(Role::Heading, heading).rect();
-    let corner = page.get_by_label(&format!("{name} over the whole page")).rect();
+    let corner = page.get_by_label(&format!("{name} alone beside the sliders")).rect();
     let top_left = Pos2::new(heading.left() - 12.0, corner.top() - 5.0);
     let top_right = Pos2::new(corner.right() + 8.0, top_left.y);
     Rect::from_two_pos(top_left, top_right).expand(GAP).with_max_y(window(page).bottom())

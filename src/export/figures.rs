@@ -21,9 +21,9 @@ pub struct FiguresReport {
     pub outputs: Vec<OutputFigures>,
     /// Largest change of the load factor, normal or lateral after the plane, with its sign.
     pub peak_load_factor: Option<PeakReport>,
-    /// Time after the start at which the bank angle first is 30° either way \[s\]; of lateral motion.
+    /// Time after the start at which the bank angle first is 30° either way \[s\]; of lateral motion but in turbulence.
     pub time_to_bank: Option<f64>,
-    /// Height between the first two turning points of the phugoid's part of the height \[m\]; of longitudinal motion.
+    /// Height between the first two turning points of the phugoid's part of the height \[m\]; of longitudinal motion but in turbulence.
     pub phugoid_swing: Option<f64>,
     /// First pitch acceleration over the load factor at which the short period settles \[rad/s² per g\]; of the elevator.
     pub control_anticipation: Option<f64>,
@@ -79,6 +79,8 @@ impl FiguresReport {
             height.parts.iter_mut().for_each(|part| part.truncate(samples));
             phugoid_swing(modes, &height)
         };
+        // Of irregular air neither is a figure of the aircraft.
+        let random = source == Source::Turbulence;
         let banked = || time_to_bank(&values(Output::BankAngle), dt, start);
         let anticipation = || control_anticipation(&motion.model, modes, &motion.forced, 0);
         Self {
@@ -88,8 +90,8 @@ impl FiguresReport {
                 .map(|&output| OutputFigures::of(output, motion, modes, &values(output)))
                 .collect(),
             peak_load_factor: PeakReport::of(&values(load), dt),
-            time_to_bank: (plane == Plane::Lateral).then(banked).flatten(),
-            phugoid_swing: (plane == Plane::Longitudinal).then(swing).flatten(),
+            time_to_bank: (plane == Plane::Lateral && !random).then(banked).flatten(),
+            phugoid_swing: (plane == Plane::Longitudinal && !random).then(swing).flatten(),
             control_anticipation: (source == Source::Elevator).then(anticipation).flatten(),
         }
     }

@@ -175,7 +175,7 @@ impl Reference {
 pub const CONDITION_MOVES: [&str; 5] = ["CL", "CD", "CD_alpha", "Cl_r", "Cn_p"];
 
 /// Why [`CONDITION_MOVES`], for the page.
-pub const CONDITION_RELATION: &str = "C_L = W cos γ₀/(q̄S); parabolic drag C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid \
+pub const CONDITION_RELATION: &str = "C_L = W cos γ₀/(½ρV²S); parabolic drag C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid \
      §5.1); Cl_r and Cn_p by C_L/4 and −C_L/8 (Nelson, Table 3.4). Other coefficients keep their values: their own \
      change with Mach number and angle of attack is not in the data.";
 

@@ -85,6 +85,18 @@ pub fn peak(values: &[f64], dt: f64) -> Option<(f64, f64)> {
     Some((k as f64 * dt, *value))
 }
 
+/// Population root mean square √(Σx²/N), in the unit of the values; of a change from steady flight it is taken about zero.
+/// `None` of nothing.
+pub fn root_mean_square(values: &[f64]) -> Option<f64> {
+    let (_, largest) = peak(values, 0.0)?;
+    if largest == 0.0 {
+        return Some(0.0);
+    }
+    // Beside the largest, so that no square runs over.
+    let sum: f64 = values.iter().map(|x| (x / largest).powi(2)).sum();
+    Some(largest.abs() * (sum / values.len() as f64).sqrt())
+}
+
 /// Time after `start` at which the bank angle first is 30° either way \[s\] (MIL-F-8785C §3.3.4 asks for such times).
 pub fn time_to_bank(bank: &[f64], dt: f64, start: f64) -> Option<f64> {
     let sizes: Vec<f64> = bank.iter().map(|phi| phi.abs()).collect();

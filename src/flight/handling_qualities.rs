@@ -50,6 +50,8 @@ pub struct Governing {
     pub requirement: Requirement,
     /// The level that the limit belongs to.
     pub of: Level,
+    /// The limit on the other side of the same quantity, where that level sets one.
+    pub other: Option<f64>,
     /// The value that the aircraft has.
     pub value: f64,
 }
@@ -74,6 +76,12 @@ pub struct Verdict {
     pub values: Vec<(Quantity, f64)>,
     /// The governing limit; `None` where no number decides (a stable spiral, an oscillation that is not allowed).
     pub governing: Option<Governing>,
+    /// The limit of Level 1 on a quantity that the mode doesn't have, and so meets: what never doubles has no time to double.
+    pub met_by_absence: Option<Requirement>,
+    /// What else is to be said of how it was judged.
+    pub note: Option<&'static str>,
+    /// The phase of flight whose limits these are.
+    pub category: Category,
     /// Paragraph of MIL-F-8785C.
     pub paragraph: &'static str,
     /// Table or figure and page of MIL-F-8785C.
@@ -83,20 +91,39 @@ pub struct Verdict {
 impl Verdict {
     /// The verdict in one sentence with its source.
     pub fn sentence(&self) -> String {
-        let source = format!("MIL-F-8785C {}, {}", self.paragraph, self.table);
         let boundary = if self.on_boundary { ", on the boundary" } else { "" };
-        let Some(governing) = self.governing else {
-            return format!("{}{boundary} ({source}).", self.level.text());
-        };
-        let Requirement { quantity, is_minimum, limit } = governing.requirement;
-        let (symbol, unit) = (quantity.symbol(), quantity.unit());
-        let [value, limit] = [governing.value, limit].map(|x| significant(x, 3));
-        let bound = if is_minimum { "at least" } else { "at most" };
+        let note = self.note.map_or_else(String::new, |note| format!(", {note}"));
+        let why = self.why().map_or_else(String::new, |why| format!(": {why}"));
         format!(
-            "{}{boundary}: {symbol} is {value}{unit}, {} asks {bound} {limit}{unit} ({source}).",
+            "{}{boundary}{why}{note} (MIL-F-8785C {}, {}, {}).",
             self.level.text(),
-            governing.of.text()
+            self.paragraph,
+            self.table,
+            self.category.text()
         )
+    }
+
+    /// The value beside its limits; `None` where no number decides.
+    fn why(&self) -> Option<String> {
+        if let Some(Requirement { quantity, limit, .. }) = self.met_by_absence {
+            let (symbol, unit) = (quantity.symbol(), quantity.unit());
+            let limit = significant(limit, 3);
+            return Some(format!("it never doubles, Level 1 asks {symbol} of at least {limit}{unit}"));
+        }
+        let Governing { requirement, of, other, value } = self.governing?;
+        let Requirement { quantity, is_minimum, limit } = requirement;
+        let (symbol, unit, of) = (quantity.symbol(), quantity.unit(), of.text());
+        let [value, limit] = [value, limit].map(|x| significant(x, 3));
+        let Some(other) = other.map(|other| significant(other, 3)) else {
+            let bound = if is_minimum { "at least" } else { "at most" };
+            return Some(format!("{symbol} is {value}{unit}, {of} asks {bound} {limit}{unit}"));
+        };
+        let [low, high] = if is_minimum { [limit, other] } else { [other, limit] };
+        Some(if self.level == Level::One {
+            format!("{symbol} {value} lies within {of}’s {low} to {high}{unit}")
+        } else {
+            format!("{symbol} is {value}{unit}, {of} asks {low} to {high}{unit}")
+        })
     }
 }
 
@@ -135,31 +162,28 @@ fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Cate
     let mut verdicts = Vec::new();
     if let Some(motion) = second_order(modes, SHORT_PERIOD) {
         let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
-        verdicts.push(judge(
-            Criterion::ShortPeriodDamping,
-            category,
-            vec![(Quantity::DampingRatio, zeta)],
-            &short_period_damping(category),
-        ));
+        let note = note_on_roots(modes, ModeName::ShortPeriod);
+        let values = vec![(Quantity::DampingRatio, zeta)];
+        let damping = judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
+        verdicts.push(Verdict { note, ..damping });
         // CAP = ωₙ²/(n/α)
         let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
         if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
-            verdicts.push(judge(
-                Criterion::ShortPeriodFrequency,
-                category,
-                vec![
-                    (Quantity::ControlAnticipation, cap),
-                    (Quantity::NaturalFrequency, wn),
-                    (Quantity::LoadFactorSlope, slope),
-                ],
-                &short_period_frequency(class, category),
-            ));
+            let values = vec![
+                (Quantity::ControlAnticipation, cap),
+                (Quantity::NaturalFrequency, wn),
+                (Quantity::LoadFactorSlope, slope),
+            ];
+            let levels = short_period_frequency(class, category);
+            let frequency = judge(Criterion::ShortPeriodFrequency, category, values, &levels);
+            verdicts.push(Verdict { note, ..frequency });
         }
     }
     if let Some(motion) = second_order(modes, PHUGOID) {
         let mut values = vec![(Quantity::DampingRatio, motion.damping_ratio)];
         values.extend(find(modes, ModeName::Phugoid).and_then(time_to_double));
-        verdicts.push(judge(Criterion::Phugoid, category, values, &phugoid()));
+        let note = note_on_roots(modes, ModeName::Phugoid);
+        verdicts.push(Verdict { note, ..judge(Criterion::Phugoid, category, values, &phugoid()) });
     }
     verdicts
 }
@@ -177,9 +201,10 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
             (Quantity::NaturalFrequency, wn),
         ];
         let levels = dutch_roll(class, category, wn, phi_rule);
-        verdicts.push(judge(Criterion::DutchRoll, category, values, &levels));
+        let note = note_on_roots(modes, ModeName::DutchRoll);
+        verdicts.push(Verdict { note, ..judge(Criterion::DutchRoll, category, values, &levels) });
     } else if find(modes, ModeName::DutchRollLessStableRoot).is_some_and(grows) {
-        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new()));
+        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new(), "it diverges"));
     }
     if let Some(mode) = find(modes, ModeName::RollSubsidence) {
         verdicts.push(match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
@@ -189,7 +214,7 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
                 vec![(Quantity::TimeConstant, tau)],
                 &roll_mode(class, category),
             ),
-            None => not_allowed(Criterion::RollMode, category, Vec::new()),
+            None => not_allowed(Criterion::RollMode, category, Vec::new(), "the roll doesn’t die away"),
         });
     }
     if let Some(mode) = find(modes, ModeName::Spiral) {
@@ -201,7 +226,10 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
         let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
         verdicts.push(match coupled_roll_spiral(category) {
             Some(levels) => judge(Criterion::CoupledRollSpiral, category, values, &levels),
-            None => not_allowed(Criterion::CoupledRollSpiral, category, values),
+            None => {
+                let why = "no coupled oscillation of roll and spiral is allowed in this category";
+                not_allowed(Criterion::CoupledRollSpiral, category, values, why)
+            }
         });
     }
     verdicts
@@ -219,13 +247,26 @@ fn time_to_double(mode: &Mode) -> Option<(Quantity, f64)> {
     mode.time_to_double().filter(|t| t.is_finite()).map(|t| (Quantity::TimeToDouble, t))
 }
 
-fn not_allowed(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>) -> Verdict {
+/// That two real roots were judged together, where the oscillation by this name has become such.
+fn note_on_roots(modes: &[Mode], pair: ModeName) -> Option<&'static str> {
+    find(modes, pair).is_none().then_some("its two real roots taken as one motion")
+}
+
+fn not_allowed(
+    criterion: Criterion,
+    category: Category,
+    values: Vec<(Quantity, f64)>,
+    why: &'static str,
+) -> Verdict {
     Verdict {
         criterion,
         level: Level::Beyond,
         on_boundary: false,
         values,
         governing: None,
+        met_by_absence: None,
+        note: Some(why),
+        category,
         paragraph: criterion.paragraph(),
         table: criterion.table(category),
     }
@@ -257,12 +298,20 @@ fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>,
         .iter()
         .filter_map(|r| Some((relative(r)?, r)))
         .min_by(|x, y| x.0.total_cmp(&y.0))
-        .and_then(|(_, r)| Some(Governing { requirement: *r, of, value: value(r.quantity)? }));
+        .and_then(|(_, r)| {
+            let across = |o: &&Requirement| o.quantity == r.quantity && o.is_minimum != r.is_minimum;
+            let other = levels[of.number()].iter().find(across).map(|o| o.limit);
+            Some(Governing { requirement: *r, of, other, value: value(r.quantity)? })
+        });
+    let met_by_absence = governing.is_none().then(|| levels[0].first().copied()).flatten();
     Verdict {
         criterion,
         level,
         on_boundary: level_with(-1.0) != level_with(1.0),
         governing,
+        met_by_absence,
+        note: None,
+        category,
         paragraph: criterion.paragraph(),
         table: criterion.table(category),
         values,

@@ -134,7 +134,7 @@ impl Knob {
     pub const fn relation(self) -> &'static str {
         match self {
             Self::Mass => {
-                "C_L = W cos γ₀/(q̄S): more mass is flown at a higher C_L. The inertias have their own knobs."
+                "C_L = W cos γ₀/(½ρV²S): more mass is flown at a higher C_L. The inertias have their own knobs."
             }
             Self::Inertia => "The moments over Ix, Iy, Iz; the product of inertia stays.",
             Self::CentreOfGravity => {
@@ -142,8 +142,8 @@ impl Knob {
                  (Etkin & Reid §2.3), Cm_q and C_Lq with α = α′ + q Δx/V, Cn and CY alike. Inertias stay."
             }
             Self::Tail => {
-                "Tail parts of the derivatives (Nelson, ch. 3): Cm_q = −2.2 η a_t V_H l_t/c̄, \
-                 Cm_α̇ = −2 η a_t V_H (l_t/c̄) dε/dα, Cm_α = −η a_t V_H (1 − dε/dα); η a_t and dε/dα from the \
+                "Tail parts of the derivatives (Nelson, ch. 3): Cm_q = −2.2 η a_t V_H l_t/c, \
+                 Cm_α̇ = −2 η a_t V_H (l_t/c) dε/dα, Cm_α = −η a_t V_H (1 − dε/dα); η a_t and dε/dα from the \
                  aircraft's own Cm_q and Cm_α̇. The tail's own mass and drag are left out."
             }
             Self::Fin => {

@@ -5,6 +5,7 @@
 //! relaxations by agreement (Level 3 damping above 20,000 ft; the starred ωₙ of Class III) and flight-path stability (3.2.1.3).
 
 use super::naming::ModeName;
+use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD};
 
 /// The kind of aircraft (1.3, pp. 1–2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +55,35 @@ impl Category {
     /// The categories by the name that a file gives them.
     pub const NAMES: [(&'static str, Self); 4] =
         [("A-combat", Self::ACombat), ("A", Self::A), ("B", Self::B), ("C", Self::C)];
+
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::ACombat => "Category A, combat",
+            Self::A => "Category A",
+            Self::B => "Category B",
+            Self::C => "Category C",
+        }
+    }
+
+    /// The same where there is little room.
+    pub const fn short(self) -> &'static str {
+        match self {
+            Self::ACombat | Self::A => "Cat A",
+            Self::B => "Cat B",
+            Self::C => "Cat C",
+        }
+    }
+
+    /// The phases of flight that it is of, in words.
+    pub const fn phases(self) -> &'static str {
+        match self {
+            Self::ACombat => "air combat and ground attack",
+            Self::A => "rapid manoeuvring and precise tracking",
+            Self::B => "climb, cruise, loiter and descent",
+            Self::C => "take-off, approach and landing",
+        }
+    }
 
     fn is_a(self) -> bool {
         matches!(self, Self::A | Self::ACombat)
@@ -156,6 +186,13 @@ impl Criterion {
             Self::Spiral => ModeName::Spiral,
             Self::CoupledRollSpiral => ModeName::CoupledRollSpiral,
         }
+    }
+
+    /// Whether it judges a mode by this name: that of [`concerns`](Self::concerns), or one of the two real roots it has become.
+    pub fn judges(self, name: ModeName) -> bool {
+        let families = [SHORT_PERIOD, PHUGOID, DUTCH_ROLL];
+        let family = families.iter().find(|family| family.contains(&self.concerns()));
+        family.map_or(self.concerns() == name, |family| family.contains(&name))
     }
 
     /// Paragraph of MIL-F-8785C.

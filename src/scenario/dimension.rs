@@ -35,6 +35,8 @@ pub enum Dimension {
     PerRadian,
     /// A ratio, shown in per cent.
     Percent,
+    /// A force as a share of the weight, shown in per cent of it.
+    ShareOfWeight,
     /// Metres, always.
     Length,
     /// 1/length, in the aircraft's unit of length.
@@ -54,7 +56,7 @@ impl Dimension {
             | Self::Number
             | Self::PerRadian
             | Self::Length => 1.0,
-            Self::Percent => 0.01,
+            Self::Percent | Self::ShareOfWeight => 0.01,
             Self::Speed | Self::Acceleration => length.metres(),
             Self::PerLengthSecond | Self::PerLength => 1.0 / length.metres(),
             Self::Angle | Self::AngularRate => PI / 180.0,
@@ -80,6 +82,7 @@ impl Dimension {
             (Self::Number, _) => "",
             (Self::PerRadian, _) => "1/rad",
             (Self::Percent, _) => "%",
+            (Self::ShareOfWeight, _) => "% of weight",
             (Self::Length, _) => "m",
             (Self::PerLength, LengthUnit::Metre) => "1/m",
             (Self::PerLength, LengthUnit::HundredFeet) => "1/(100 ft)",
@@ -97,7 +100,7 @@ impl Dimension {
             Self::Angle => "rad",
             Self::AngularRate => "rad/s",
             Self::Time => "s",
-            Self::Number | Self::Percent => "",
+            Self::Number | Self::Percent | Self::ShareOfWeight => "",
             Self::PerRadian => "1/rad",
             Self::Length => "m",
             Self::PerLength => "1/m",

@@ -6,7 +6,7 @@ use egui::{
 
 use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
-use super::symbol::{Symbol, symbol_ui};
+use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use super::{arrow_keys, finger};
 use crate::content::LengthUnit;
@@ -268,7 +268,7 @@ fn row_ui(
             Layout::left_to_right(Align::Center),
             |ui| {
                 ui.set_min_width(unit_width);
-                ui.label(RichText::new(unit).size(10.5).color(palette.weak));
+                unit_ui(ui, unit, in_effect.filter(|moved| trimmed(*moved, 3) != trimmed(value, 3)));
             },
         );
         bars_ui(ui, parameter, (in_si, unit), outlook, Vec2::new(bars_width, height));
@@ -295,6 +295,30 @@ fn row_ui(
     at_it
 }
 
+/// The unit of a row, and below it the value that is in use, where knobs and flight condition have moved it to another.
+fn unit_ui(ui: &mut Ui, unit: &str, in_use: Option<f64>) {
+    let palette = Palette::of(ui);
+    let shown_unit = |ui: &mut Ui| ui.label(RichText::new(unit).size(10.5).color(palette.weak));
+    let Some(in_use) = in_use else {
+        shown_unit(ui);
+        return;
+    };
+    let number = trimmed(in_use, 3);
+    let used = |ui: &mut Ui| {
+        let text = RichText::new(format!("▸ {number}")).font(theme::semibold(10.5)).color(palette.warning);
+        ui.label(text).on_hover_text("The value in use, as the knobs and the flight condition make it");
+    };
+    if unit.is_empty() {
+        used(ui);
+        return;
+    }
+    ui.vertical(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        shown_unit(ui);
+        used(ui);
+    });
+}
+
 /// A number with its symbol and unit, without a slider: for the parameters of a disturbance.
 pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Parameter) {
     let palette = Palette::of(ui);
@@ -307,22 +331,30 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
     let width = symbol_width + COMPACT_FIELD + unit_width + 3.0 * ui.spacing().item_spacing.x + 16.0;
     let size = Vec2::new(width, ui.spacing().interact_size.y);
-    let field = ui
-        .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-            symbol_ui(ui, &symbol, 14.0, palette.text, None);
-            let field = number_field_ui(
-                ui,
-                Id::unique(("disturbance", parameter.key)),
-                &format!("{} in {unit}", parameter.name),
-                &shown,
-                COMPACT_FIELD,
-                |text| parameter.parse(scenario, text),
-            );
-            ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));
-            field
-        })
-        .inner;
-    field.response.on_hover_text(format!("{} {}", parameter.meaning, parameter.sign));
+    let name =
+        if unit.is_empty() { parameter.name.to_owned() } else { format!("{} in {unit}", parameter.name) };
+    let row = ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        symbol_ui(ui, &symbol, 14.0, palette.text, None);
+        let field = number_field_ui(
+            ui,
+            Id::unique(("disturbance", parameter.key)),
+            &name,
+            &shown,
+            COMPACT_FIELD,
+            |text| parameter.parse(scenario, text),
+        );
+        ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));
+        field
+    });
+    // Over its symbol and unit too: "×" alone says little.
+    let mut letters = name.chars();
+    let name: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
+    let hover = format!("{name}. {} {}", parameter.meaning, parameter.sign);
+    let field = row.inner;
+    if !field.response.hovered() {
+        row.response.on_hover_text(&hover);
+    }
+    field.response.on_hover_text(hover);
     if let Some(refusal) = field.refusal {
         ui.label(RichText::new(format!("⚠ {refusal}")).font(theme::small()).color(palette.bad));
     }
@@ -393,10 +425,8 @@ pub fn help_ui(ui: &mut Ui, key: &str) {
     ui.label(title);
     ScrollArea::vertical().id_salt("help").auto_shrink(false).show(ui, |ui| {
         for text in [parameter.meaning, parameter.sign] {
-            ui.label(RichText::new(text).font(theme::small()).color(palette.weak));
+            ui.label(prose(text, theme::small(), palette.weak));
         }
-        ui.label(
-            RichText::new(format!("From: {}", parameter.origin)).font(theme::small()).color(palette.weak),
-        );
+        ui.label(prose(&format!("From: {}", parameter.origin), theme::small(), palette.weak));
     });
 }

@@ -15,7 +15,7 @@ impl Pane {
         }
     }
 
-    /// The key that takes it over the page, as shown.
+    /// The key that does so, as shown.
     pub fn key(self) -> &'static str {
         let of_pane = SHORTCUTS.iter().find(|shortcut| shortcut.command == Command::Maximise(self));
         of_pane.map_or("", |shortcut| shortcut.shown)
@@ -35,7 +35,7 @@ pub enum Command {
     Pin,
     /// Play the response, or pause.
     Play,
-    /// A pane over the whole page, or back.
+    /// A pane alone beside the sliders, or back.
     Maximise(Pane),
     /// Whatever is over the page, away.
     Restore,
@@ -61,8 +61,9 @@ const fn control(key: Key, shown: &'static str, command: Command, text: &'static
     Shortcut { modifiers: Modifiers::COMMAND, key, shown, command, text }
 }
 
-/// The longer combination of a key stands before the shorter.
+/// The longer combination of a key stands after the shorter: they are tried from the end.
 const SHORTCUTS: [Shortcut; 12] = [
+    control(Key::Z, "Ctrl Z", Command::Undo, "Undo; a whole drag is one step"),
     Shortcut {
         modifiers: Modifiers::COMMAND.plus(Modifiers::SHIFT),
         key: Key::Z,
@@ -70,12 +71,11 @@ const SHORTCUTS: [Shortcut; 12] = [
         command: Command::Redo,
         text: "Redo",
     },
-    control(Key::Z, "Ctrl Z", Command::Undo, "Undo; a whole drag is one step"),
     control(Key::Y, "Ctrl Y", Command::Redo, "Redo"),
     plain(Key::Space, "Space", Command::Play, "Play or pause the aircraft"),
-    plain(Key::P, "P", Command::Maximise(Pane::Poles), "Pole map over the whole page, and back"),
-    plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Aircraft over the whole page, and back"),
-    plain(Key::R, "R", Command::Maximise(Pane::Response), "Response over the whole page, and back"),
+    plain(Key::P, "P", Command::Maximise(Pane::Poles), "Pole map alone beside the sliders, and back"),
+    plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Aircraft alone beside the sliders, and back"),
+    plain(Key::R, "R", Command::Maximise(Pane::Response), "Response alone beside the sliders, and back"),
     plain(Key::Escape, "Esc", Command::Restore, "Everything back in its place"),
     plain(Key::G, "G", Command::Pin, "Pin this state as a ghost, or unpin it"),
     plain(Key::L, "L", Command::CopyLink, "Copy the whole scene as a link"),
@@ -93,7 +93,7 @@ const OF_CONTROLS: [(&str, &str); 9] = [
     ("Enter", "In a field: take the number; Esc leaves it as it was"),
     ("Arrow keys", "On a pole: move it; on the aircraft: turn the camera"),
     ("+ −", "On the pole map and the aircraft: nearer, farther"),
-    ("Double click", "On the heading of a pane: over the whole page, and back"),
+    ("Double click", "On the heading of a pane: alone beside the sliders, and back"),
 ];
 
 /// What the person's keys ask for; nothing while they type in a field.
@@ -104,7 +104,7 @@ pub fn command(ui: &Ui) -> Option<Command> {
     // Esc closes what is in front first.
     let listing = Popup::is_any_open(ui.ctx());
     ui.input_mut(|input| {
-        SHORTCUTS.iter().find_map(|shortcut| {
+        SHORTCUTS.iter().rev().find_map(|shortcut| {
             let takes_text = shortcut.modifiers.is_none();
             let taken = (typing && takes_text)
                 || (focused && shortcut.key == Key::Space)

@@ -4,17 +4,18 @@ use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, Response, RichTe
 
 use super::phasors::phasors_ui;
 use super::poles::eigenvalue;
-use super::symbol::{Symbol, symbol_ui};
+use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
-use crate::flight::approximations::Approximation;
+use crate::flight::approximations::{Approximation, ModeValue};
 use crate::flight::handling_qualities::{Level, Verdict};
+use crate::flight::mil_f_8785c::Category;
 use crate::flight::modes::{DynamicStability, Mode};
 use crate::flight::plane::Plane;
 use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict};
-use crate::number::significant;
+use crate::number::{fixed, significant};
 use crate::scenario::Dimension;
 use crate::scenario::link::Details;
 
@@ -118,7 +119,7 @@ pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) -> Re
     let frame = Frame::new().fill(ground).corner_radius(8).inner_margin(Margin::symmetric(10, 7));
     let banner = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(RichText::new(text).font(theme::semibold(12.0)).color(color))
+        ui.label(prose(text, theme::semibold(12.0), color))
     });
     banner.inner
 }
@@ -253,28 +254,47 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             "Shape",
             "How large each quantity is in this mode, and how far ahead or behind it swings",
         );
-        if let Some(best) = best_approximation(plane, mode) {
-            let hover = "What the textbook formulas give, and how far off they are";
-            toggle(ui, &mut details.approximations, &best, "Approximations", hover);
+        if let Some((text, hover)) = approximation_button(plane, mode) {
+            toggle(ui, &mut details.approximations, &text, "Approximations", &hover);
         }
     });
     fly
 }
 
-/// The error of the first textbook approximation, for the button: "≈ −0.1 %".
-fn best_approximation(plane: &PlaneAnalysis, mode: &Mode) -> Option<String> {
-    let mut of_mode = plane.approximations.iter().filter(|a| a.name.concerns() == mode.naming.name);
-    let first = of_mode.next()?;
-    Some(first.error().map_or_else(|| "≈".to_owned(), |error| format!("≈ {}", signed_percent(error))))
+/// The textbook approximations of a mode.
+fn approximations<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a Approximation> {
+    let name = mode.naming.name;
+    plane.approximations.iter().filter(move |approximation| approximation.name.concerns() == name)
+}
+
+/// The button of the approximations, with the error of the first, and what it says on hover.
+fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, String)> {
+    let first = approximations(plane, mode).next()?;
+    let text = match first.error() {
+        Some(error) if error.abs() <= BEYOND_USE => format!("Approx. {}", signed_percent(error)),
+        Some(_) | None => "Approx. fails".to_owned(),
+    };
+    let hover = format!(
+        "{}. {}\nLeaves out: {}\nPress to see all that the textbooks give.",
+        approximation_values(first),
+        first.formula,
+        first.neglects
+    );
+    Some((text, hover))
 }
 
 fn signed_percent(error: f64) -> String {
-    format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2))
+    let percent = 100.0 * error;
+    let decimals = if percent.abs() < 10.0 { 1 } else { 0 };
+    format!("{}{} %", if error >= 0.0 { "+" } else { "" }, fixed(percent, decimals))
 }
 
 /// Size of the text on a chip, and the room left and right of it.
 const CHIP: f32 = 11.0;
 const CHIP_MARGIN: f32 = 7.0;
+
+/// What stands where a level would, where there is none.
+const NO_LEVEL: &str = "no level";
 
 /// Whether it dies away, and the level of handling qualities where there is one.
 fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<String>; 2] {
@@ -284,31 +304,50 @@ fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<S
         DynamicStability::Unstable => "unstable",
     };
     let mark = if details.levels { "▾" } else { "▸" };
-    [Some(stability.to_owned()), worst(plane, mode).map(|level| format!("{} {mark}", level.text()))]
+    let level = match worst(plane, mode) {
+        Some((level, _)) => Some(format!("{} {mark}", level.text())),
+        None => (!plane.levels.is_empty()).then(|| NO_LEVEL.to_owned()),
+    };
+    [Some(stability.to_owned()), level]
 }
 
-/// The worst level that a mode has.
-fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<Level> {
-    judged(plane, mode).map(|verdict| verdict.level).max()
+/// The worst level that a mode has, and the category of flight phase that it is judged for.
+fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<(Level, Category)> {
+    judged(plane, mode).map(|verdict| (verdict.level, verdict.category)).max_by_key(|worst| worst.0)
 }
 
 fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
-    let [stability, judgement] = chip_texts(plane, mode, *details);
+    let [stability, short] = chip_texts(plane, mode, *details);
     chip_ui(ui, stability.unwrap_or_default(), Palette::of(ui).verdict(mode.stability));
-    if let Some((level, text)) = worst(plane, mode).zip(judgement) {
+    if let Some(((level, category), short)) = worst(plane, mode).zip(short) {
         let (color, ground) = Palette::of(ui).verdict(match level {
             Level::One => DynamicStability::Stable,
             Level::Two => DynamicStability::Neutral,
             Level::Three | Level::Beyond => DynamicStability::Unstable,
         });
-        let text = RichText::new(text).font(theme::semibold(CHIP)).color(color);
+        let mark = if details.levels { "▾" } else { "▸" };
+        let long = format!("{} · {} {mark}", level.text(), category.short());
+        let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(CHIP), color);
+        let fits = galley.size().x + 2.0 * CHIP_MARGIN <= ui.available_width();
+        let text = RichText::new(if fits { long } else { short }).font(theme::semibold(CHIP)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(CHIP_MARGIN, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         theme::focus_ring(ui, &chip);
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
-        if chip.on_hover_text("Which paragraphs of MIL-F-8785C set the level").clicked() {
+        let hover = format!(
+            "{} of flight: {}. Press to see which paragraphs of MIL-F-8785C set the level.",
+            category.text(),
+            category.phases()
+        );
+        if chip.on_hover_text(hover).clicked() {
             details.levels = !details.levels;
         }
+    } else if !plane.levels.is_empty() {
+        let text = RichText::new(NO_LEVEL).font(theme::small()).color(Palette::of(ui).weak);
+        ui.label(text).on_hover_text(
+            "The tables of MIL-F-8785C judge no mode of this kind: only a pair, or two roots that both die away \
+             or both grow.",
+        );
     }
 }
 
@@ -324,7 +363,7 @@ fn chip_ui(ui: &mut Ui, text: String, (color, ground): (Color32, Color32)) {
 /// The verdicts on handling qualities that concern a mode.
 fn judged<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a Verdict> {
     let name = mode.naming.name;
-    plane.levels.iter().filter(move |verdict| verdict.criterion.concerns() == name)
+    plane.levels.iter().filter(move |verdict| verdict.criterion.judges(name))
 }
 
 fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
@@ -333,28 +372,58 @@ fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     }
 }
 
-/// A line for each textbook approximation: what it gives, how far off it is, and on hover what it leaves out.
+/// For each textbook approximation its formula and what it gives beside the exact value, and on hover what it leaves out.
 fn approximations_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     let palette = Palette::of(ui);
-    for approximation in plane.approximations.iter().filter(|a| a.name.concerns() == mode.naming.name) {
-        let errors = approximation_errors(approximation, mode.is_oscillatory());
-        let line = format!("≈ {}: {errors}", approximation.name.text());
-        let label = ui.label(RichText::new(line).font(theme::small()).color(palette.weak));
-        label.on_hover_text(format!("{}\nLeaves out: {}", approximation.formula, approximation.neglects));
+    for approximation in approximations(plane, mode) {
+        let values = RichText::new(approximation_values(approximation)).font(theme::small());
+        let formula = RichText::new(approximation.formula).font(theme::small()).color(palette.weak);
+        let leaves_out = format!("Leaves out: {}", approximation.neglects);
+        ui.label(values.color(palette.text)).on_hover_text(&leaves_out);
+        ui.label(formula).on_hover_text(leaves_out);
+        ui.add_space(2.0);
     }
 }
 
-/// "ω +1.2 %, ζ −3 %" of an oscillation, "λ +4 %" of a root.
-pub fn approximation_errors(approximation: &Approximation, is_oscillatory: bool) -> String {
-    let off =
-        |error: f64| format!("{}{} %", if error >= 0.0 { "+" } else { "" }, significant(100.0 * error, 2));
-    let what = if is_oscillatory { "ω" } else { "λ" };
-    let errors = [
-        approximation.error().map(|error| format!("{what} {}", off(error))),
-        approximation.damping_error().map(|error| format!("ζ {}", off(error))),
-    ];
-    let errors: Vec<String> = errors.into_iter().flatten().collect();
-    if errors.is_empty() { "gives nothing here".to_owned() } else { errors.join(", ") }
+/// Relative error from which on an approximation is none.
+const BEYOND_USE: f64 = 1.0;
+
+/// What an approximation gives beside the exact mode: "w and q alone: ωₙ 3.60 rad/s, exact 3.61, −0.2 %; ζ …".
+pub fn approximation_values(approximation: &Approximation) -> String {
+    let name = approximation.name.text();
+    let beside = |symbol: &str, unit: &str, given: f64, exact: Option<f64>, error: Option<f64>| {
+        let exact = exact.map_or_else(String::new, |exact| format!(", exact {}", significant(exact, 3)));
+        let error = match error {
+            Some(error) if error.abs() <= BEYOND_USE => format!(", {}", signed_percent(error)),
+            Some(_) => ": does not apply here".to_owned(),
+            None => String::new(),
+        };
+        format!("{symbol} {}{unit}{exact}{error}", significant(given, 3))
+    };
+    let error = approximation.error();
+    let values = match (approximation.value, approximation.exact) {
+        (None, _) => "gives nothing here".to_owned(),
+        (Some(ModeValue::Root(given)), exact) => {
+            let exact = exact.and_then(|exact| match exact {
+                ModeValue::Root(root) => Some(root),
+                ModeValue::SecondOrder { .. } => None,
+            });
+            beside("λ", " 1/s", given, exact, error)
+        }
+        (Some(ModeValue::SecondOrder { natural_frequency, damping_ratio }), exact) => {
+            let (exact_frequency, exact_damping) = match exact {
+                Some(ModeValue::SecondOrder { natural_frequency, damping_ratio }) => {
+                    (Some(natural_frequency), damping_ratio)
+                }
+                Some(ModeValue::Root(_)) | None => (None, None),
+            };
+            let frequency = beside("ωₙ", " rad/s", natural_frequency, exact_frequency, error);
+            let damping =
+                damping_ratio.map(|zeta| beside("ζ", "", zeta, exact_damping, approximation.damping_error()));
+            [Some(frequency), damping].into_iter().flatten().collect::<Vec<_>>().join("; ")
+        }
+    };
+    format!("{name}: {values}")
 }
 
 /// Height of a number of a card.
@@ -386,13 +455,14 @@ fn entries_ui(ui: &mut Ui, mode: &Mode) {
         (
             "ζ",
             mode.damping_ratio().map(|z| significant(z, 3)),
-            "Damping ratio, −σ/ω_n; negative when the motion grows",
+            "Damping ratio, −σ/ωₙ; negative when the motion grows",
         ),
         ("ω_d", mode.damped_frequency().map(rate), "Damped frequency, |Im λ|"),
-        ("T", mode.period().map(seconds), "Period, 2π/ω_d"),
+        ("T", mode.period().map(seconds), "Period, 2π/|Im λ|"),
         growth,
         (cycles.0, mode.cycles().map(|n| significant(n, 2)), cycles.1),
-        ("τ", mode.time_constant().map(seconds), "Time constant, −1/λ"),
+        // Of a root that grows it would be negative; the time to double says it better.
+        ("τ", mode.time_constant().filter(|tau| *tau > 0.0).map(seconds), "Time constant, −1/λ"),
     ];
     let eigenvalue = format!("{} 1/s", eigenvalue(mode.lambda));
     if theme::is_for_fingers(ui) {

@@ -21,7 +21,7 @@ use super::fonts;
 /// Set upright, when they stand between what aren't Latin letters.
 const WORDS: [&str; 18] = [
     "cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for",
-    "to", "no", "size",
+    "to", "sample", "size",
 ];
 
 const DOT_ABOVE: char = '\u{307}';
@@ -37,6 +37,29 @@ const DESCENT: f32 = 0.241;
 /// A symbol or a short formula in the notation of this module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symbol<'a>(&'a str);
+
+/// A sentence with its symbols typeset: every word such as `C_mα` or `X_w`, and nothing else of it.
+pub fn prose(text: &str, font: FontId, color: Color32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let mut rest = text;
+    while let Some(mark) = rest.find('_') {
+        let is_letter = |c: &char| c.is_alphabetic() || matches!(*c, DOT_ABOVE | '′');
+        let base: usize = rest[..mark].chars().rev().take_while(is_letter).map(char::len_utf8).sum();
+        let (script, after) = script(&rest[mark + 1..]);
+        let end = rest.len() - after.len();
+        // A longer word is a name, such as that of a file's entry.
+        let of_symbol = (1..=2).contains(&rest[mark - base..mark].chars().count()) && !script.is_empty();
+        let plain = if of_symbol { mark - base } else { end };
+        job.append(&rest[..plain], 0.0, TextFormat::simple(font.clone(), color));
+        if of_symbol {
+            // Letters of the maths face are smaller than those of the text.
+            Symbol(&rest[plain..end]).append_to(&mut job, 1.15 * font.size, color);
+        }
+        rest = after;
+    }
+    job.append(rest, 0.0, TextFormat::simple(font, color));
+    job
+}
 
 /// Draws a symbol beside text and controls of a row: on their middle, in its own width or a given one.
 pub fn symbol_ui(ui: &mut Ui, symbol: &Symbol<'_>, size: f32, color: Color32, width: Option<f32>) {
@@ -138,7 +161,8 @@ fn script(text: &str) -> (&str, &str) {
     if let Some((inner, after)) = text.strip_prefix('{').and_then(|text| text.split_once('}')) {
         return (inner, after);
     }
-    text.split_at(text.find(|c: char| !c.is_alphanumeric() && c != DOT_ABOVE).unwrap_or(text.len()))
+    let ends = |c: char| !(c.is_alphabetic() || c.is_ascii_digit() || c == DOT_ABOVE);
+    text.split_at(text.find(ends).unwrap_or(text.len()))
 }
 
 /// Parts text into what is italic and what is upright.
@@ -204,6 +228,20 @@ mod tests {
         );
         assert_eq!(pieces("x_{cg}")[1], ("cg".into(), Lowered, false));
         assert_eq!(pieces("C_{L max}")[2], ("max".into(), Lowered, true));
+    }
+
+    #[test]
+    fn the_symbols_of_a_sentence_are_set_and_the_rest_of_it_stays() {
+        let set = |text: &str| prose(text, FontId::proportional(12.0), Color32::BLACK);
+        let job = set("Lift: C_L = W cos γ₀/(½ρV²S), and C_L² of m_α\u{307}.");
+        assert_eq!(job.text, "Lift: CL = W cos γ₀/(½ρV²S), and CL² of mα\u{307}.");
+        let small = job.sections.iter().filter(|section| section.format.font_id.size < 11.0);
+        let lowered: Vec<&str> =
+            small.map(|section| &job.text[section.byte_range.start.0..section.byte_range.end.0]).collect();
+        assert_eq!(lowered, ["L", "L", "α\u{307}"]);
+        for plain in ["", "no symbol", "wing_area", "_", "a _ b", "C_", "thrust_per_throttle is missing"] {
+            assert_eq!(set(plain).text, plain);
+        }
     }
 
     #[test]

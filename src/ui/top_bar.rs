@@ -35,7 +35,7 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         let first = |ui: &mut Ui| {
             let action = aircraft_ui(ui, bar);
             status_ui(ui, bar.scenario);
-            action
+            ui.with_layout(Layout::right_to_left(Align::Center), help_ui).inner.or(action)
         };
         let second = |ui: &mut Ui| {
             let action = plane_ui(ui, bar);
@@ -120,6 +120,14 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     action
 }
 
+/// The sheet of keys, which nobody finds by pressing one.
+fn help_ui(ui: &mut Ui) -> Option<Action> {
+    let least = Vec2::new(if theme::is_for_fingers(ui) { 34.0 } else { 0.0 }, 0.0);
+    let button = theme::bare_button(ui, true, Button::new("?").min_size(least));
+    let button = button.accessible_name("Help: all keys").on_hover_text("Help: all keys (?)");
+    button.clicked().then_some(Action::Help)
+}
+
 /// The tools, from the right edge inwards where there is room.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
@@ -131,6 +139,9 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     };
     ui.spacing_mut().item_spacing.x = gap;
     let least = Vec2::new(least, 0.0);
+    if !bar.narrow {
+        action = help_ui(ui);
+    }
     let look = Look::of(ui.ctx()).next();
     let button = theme::bare_button(ui, true, Button::new(look.sign()).min_size(least));
     if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {

@@ -9,7 +9,7 @@ use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::Quantity;
 
-/// A pane that can take the whole page.
+/// A pane that can stand alone beside the sliders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pane {
     /// The pole map.
@@ -114,7 +114,7 @@ pub struct Sight {
     pub marks: Marks,
     /// What the cards of the modes show.
     pub details: Details,
-    /// The pane over the whole page.
+    /// The pane alone beside the sliders.
     pub maximised: Option<Pane>,
     /// From where the aircraft is seen.
     pub viewpoint: Viewpoint,

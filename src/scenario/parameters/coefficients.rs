@@ -14,7 +14,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         group: Group::Speed,
         dimension: Dimension::Number,
         meaning: "Lift over dynamic pressure and wing area in the reference flight. When speed, altitude, \
-            mass or flight path change, lift follows from weight and speed: C_L = W cos γ₀/(q̄S).",
+            mass or flight path change, lift follows from weight and speed: C_L = W cos γ₀/(½ρV²S).",
         sign: "Positive: it carries the weight. A high one means slow flight.",
         origin: "Weight, speed and density.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cl),
@@ -132,7 +132,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttackRate,
         dimension: Dimension::PerRadian,
-        meaning: "Lift while the angle of attack grows, for a unit of α̇c̄/2V: the wing's downwash reaches \
+        meaning: "Lift while the angle of attack grows, for a unit of α̇c/2V, c the mean chord: the wing's downwash reaches \
             the tail late.",
         sign: "Positive by the late downwash, negative in some sources; it moves the modes only a little.",
         origin: "Tail, behind the wing's downwash.",
@@ -147,7 +147,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttackRate,
         dimension: Dimension::PerRadian,
-        meaning: "Nose-up moment while the angle of attack grows, for a unit of α̇c̄/2V: the downwash \
+        meaning: "Nose-up moment while the angle of attack grows, for a unit of α̇c/2V, c the mean chord: the downwash \
             reaches the tail late, so the tail lifts more.",
         sign: "Negative damps the short period.",
         origin: "Tail, behind the wing's downwash.",
@@ -162,7 +162,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::PitchRate,
         dimension: Dimension::PerRadian,
-        meaning: "Lift for a unit of qc̄/2V: when the nose rises the tail sinks and meets the air at a \
+        meaning: "Lift for a unit of qc/2V, c the mean chord: when the nose rises the tail sinks and meets the air at a \
             higher angle.",
         sign: "Positive with a tail aft; it moves the modes only a little.",
         origin: "Tail, by its distance.",
@@ -177,7 +177,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::PitchRate,
         dimension: Dimension::PerRadian,
-        meaning: "Nose-up moment for a unit of qc̄/2V: a turning tail meets its own wind.",
+        meaning: "Nose-up moment for a unit of qc/2V, c the mean chord: a turning tail meets its own wind.",
         sign: "Negative damps the short period.",
         origin: "Tail, by its distance squared.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cm_q),

@@ -48,8 +48,8 @@ pub(super) const ROWS: [Parameter; 26] = [
         "throttle",
         "δ_t",
         "throttle",
-        (Dimension::Percent, -0.2, 0.2),
-        ("Change of thrust, as a share of the weight.", "Positive pushes forward."),
+        (Dimension::ShareOfWeight, -0.2, 0.2),
+        ("Change of thrust, in per cent of the weight.", "Positive pushes forward."),
         |s| &mut s.throttle,
     ),
     row(
@@ -148,8 +148,8 @@ pub(super) const ROWS: [Parameter; 26] = [
     ),
     row(
         "seed",
-        "no.",
-        "which turbulence",
+        "sample",
+        "number of the sample of turbulence",
         (Dimension::Number, 1.0, 99.0),
         ("Which sample of turbulence: the same number is always the same air.", "A whole number."),
         |s| &mut s.seed,

@@ -17,7 +17,7 @@ pub(super) const ROWS: [Parameter; 11] = [
             Mach number, and the trim lift, with drag, C_Dα, Cl_r and Cn_p after it.",
         sign: "Positive. Faster stiffens and speeds up the short period and the roll, and slows the phugoid \
             down.",
-        origin: "C_L = W cos γ₀/(q̄S), with q̄ = ½ρV²; drag grows with C_L².",
+        origin: "C_L = W cos γ₀/(½ρV²S); drag grows with C_L².",
         place: Place::Condition(|c| &mut c.speed),
         extent: Extent::Relative { low: 0.5, high: 1.6, floor: 10.0 },
     },
@@ -33,7 +33,7 @@ pub(super) const ROWS: [Parameter; 11] = [
             density, the Mach number through the speed of sound, and the trim lift, with drag, C_Dα, Cl_r \
             and Cn_p after it.",
         sign: "Higher is thinner air at the same true airspeed: less damping in every fast mode.",
-        origin: "International standard atmosphere; C_L = W cos γ₀/(q̄S).",
+        origin: "International standard atmosphere; C_L = W cos γ₀/(½ρV²S).",
         place: Place::Condition(|c| &mut c.altitude),
         extent: Extent::Fixed { low: 0.0, high: 13_000.0 },
     },
@@ -49,7 +49,7 @@ pub(super) const ROWS: [Parameter; 11] = [
             g sin θ₀, and tan θ₀ of the lateral motion; by a little also the trim lift and the thrust in X_u \
             and M_u.",
         sign: "Positive climbs, negative descends.",
-        origin: "C_L = W cos γ₀/(q̄S), and thrust T = D + W sin γ₀.",
+        origin: "C_L = W cos γ₀/(½ρV²S), and thrust T = D + W sin γ₀.",
         place: Place::Condition(|c| &mut c.gamma0),
         extent: Extent::Fixed { low: -0.26, high: 0.26 },
     },
@@ -64,7 +64,7 @@ pub(super) const ROWS: [Parameter; 11] = [
         meaning: "Mass over that of the reference. It divides every force derivative, X, Y and Z, and raises \
             the trim lift, with drag, C_Dα, Cl_r and Cn_p after it.",
         sign: "Above 100 % is heavier: flown at a higher C_L, with less heave damping.",
-        origin: "C_L = W cos γ₀/(q̄S). The inertias have their own knobs.",
+        origin: "C_L = W cos γ₀/(½ρV²S). The inertias have their own knobs.",
         place: Place::Knob(|k| &mut k.mass_ratio),
         extent: Extent::Fixed { low: 0.5, high: 2.0 },
     },
@@ -143,7 +143,7 @@ pub(super) const ROWS: [Parameter; 11] = [
             Cm_α, C_Lα̇, Cm_α̇, C_Lq, Cm_q, and the elevator's C_Lδe, C_Dδe and Cm_δe.",
         sign: "Larger stiffens and damps the short period; at 0 % the tail is gone, and with it the \
             elevator.",
-        origin: "Cm_α = −η a_t V_H (1 − dε/dα) and Cm_q = −2.2 η a_t V_H l_t/c̄, the tail's part of each. \
+        origin: "Cm_α = −η a_t V_H (1 − dε/dα) and Cm_q = −2.2 η a_t V_H l_t/c, the tail's part of each. \
             Its own mass and drag are left out.",
         place: Place::Knob(|k| &mut k.tail_ratio),
         extent: Extent::Fixed { low: 0.0, high: 2.0 },

@@ -1,4 +1,4 @@
-//! Where the panes stand: on a wide screen, a tablet, a phone, and one of them over the whole page.
+//! Where the panes stand: on a wide screen, a tablet, a phone, and one of them alone beside the sliders.
 
 use egui::{
     Button, CentralPanel, Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2,
@@ -138,7 +138,7 @@ impl App {
         CentralPanel::default().frame(ground).show(ui, pane).inner
     }
 
-    /// A pane in its frame over all of `room`; its heading takes it over the whole page by double click or its button.
+    /// A pane in its frame over all of `room`; its heading puts it alone beside the sliders by double click or its button.
     pub(super) fn pane_ui(&mut self, ui: &mut Ui, pane: Pane, room: Rect) {
         // A place of its own: what is put into it moves nothing outside.
         let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
@@ -172,7 +172,7 @@ impl App {
         });
         let maximised = self.view.maximised == Some(pane);
         let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
-        let name = format!("{} over the whole page", pane.text());
+        let name = format!("{} alone beside the sliders", pane.text());
         let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
         let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
         let hover =

@@ -53,6 +53,8 @@ pub enum Action {
     Redo,
     /// Copy the whole scene as a link.
     CopyLink,
+    /// Open the sheet of keys.
+    Help,
 }
 
 /// The panes of a phone, of which one is on screen below the pole map.
@@ -71,7 +73,7 @@ struct View {
     poles: PoleMap,
     responses: Responses,
     flight: FlightPane,
-    /// The pane that is over the whole page.
+    /// The pane that is alone beside the sliders.
     maximised: Option<Pane>,
     /// Whether the sheet of keys is open.
     help: bool,
@@ -369,6 +371,10 @@ impl App {
                 return self.restore(redone);
             }
             Action::CopyLink => return self.share.copy(ui, &self.link()),
+            Action::Help => {
+                self.view.help = true;
+                return;
+            }
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
             Action::Turn(plane) => self.scenario.plane = plane,
             Action::Pin => {

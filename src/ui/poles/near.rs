@@ -11,7 +11,7 @@ use crate::flight::modes::Mode;
 use crate::flight::naming::ModeName;
 use crate::number::significant;
 use crate::scenario::Parameter;
-use crate::ui::mode_cards::{approximation_errors, numbers_ui};
+use crate::ui::mode_cards::{approximation_values, numbers_ui};
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
 
@@ -136,8 +136,8 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
             let name = approximation.name.concerns();
             title(ui, &format!("≈ {}, {}", name.text(), approximation.name.text()), name);
             ui.label(approximation.formula);
-            let place = shown(root);
-            ui.label(format!("{place} 1/s: {}", approximation_errors(approximation, root.im > 0.0)));
+            ui.label(format!("λ = {} 1/s", shown(root)));
+            ui.label(approximation_values(approximation));
             ui.label(RichText::new(approximation.neglects).font(theme::small()).color(palette.weak));
         }
         Near::Level(boundary) => {

@@ -4,7 +4,8 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 
 use super::studied::{Studied, units};
 use crate::flight::figures::{
-    control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
+    StepFigures, control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_figures,
+    time_to_bank,
 };
 use crate::flight::inputs::Input;
 use crate::flight::outputs::Output;
@@ -26,35 +27,51 @@ pub fn figures_ui(ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>)
         }
         ui.add_space(4.0);
         table_ui(ui, studied);
-        let about = "Rise: from 10 % to 90 % of the steady value. Settled: within 2 % of it for good. Both only after a step, \
-                     and where every mode dies away.";
+        let about = if in_turbulence(studied) {
+            "r.m.s.: root mean square of the change over the time shown, the measure of a motion without end or pattern."
+        } else {
+            "Rise: from 10 % to 90 % of the steady value. Settled: within 2 % of it for good. Both only after a step, \
+             and where every mode dies away."
+        };
         ui.label(RichText::new(about).font(theme::small()).color(Palette::of(ui).weak));
     });
 }
 
-/// What concerns the whole motion, a sentence each.
+/// Whether the air is irregular: then only averages say something of the aircraft.
+fn in_turbulence(studied: Studied<'_>) -> bool {
+    studied.scenario.disturbance.choice(studied.plane()).source == Source::Turbulence
+}
+
+/// The values of an output as long as the disturbance is small.
+fn small_values(studied: Studied<'_>, output: Output) -> Vec<f64> {
+    let mut values = studied.motion.values(output);
+    values.truncate(studied.small());
+    values
+}
+
+/// What concerns the whole motion, as long as it is a small disturbance: a sentence each.
 fn whole(studied: Studied<'_>) -> Vec<String> {
-    let Studied { motion, modes, scenario, .. } = studied;
-    // Let go, in one mode or in turbulence the disturbance is there from the first.
+    let Studied { motion, scenario, .. } = studied;
+    let random = in_turbulence(studied);
+    // Let go or in one mode the disturbance is there from the first.
     let from = if scenario.disturbance.choice(studied.plane()).shape().is_some() { START } else { 0.0 };
     let dt = motion.response.dt;
     let mut lines = Vec::new();
     match studied.plane() {
         Plane::Longitudinal => {
-            if let Some((time, load)) = peak(&motion.values(Output::NormalLoad), dt) {
+            if let Some((time, load)) = peak(&small_values(studied, Output::NormalLoad), dt) {
                 lines.push(format!(
                     "Largest change of load factor: {} g at {} s",
                     significant(load, 3),
                     significant(time, 3)
                 ));
             }
-            let swing = motion.split(modes, Output::Height).ok();
-            if let Some(swing) = swing.and_then(|height| phugoid_swing(modes, &height)) {
+            if let Some(swing) = swing(studied).filter(|_| !random) {
                 lines.push(format!("Phugoid, first swing of the height: {} m", significant(swing, 3)));
             }
             let elevator = scenario.disturbance.longitudinal.source == Source::Elevator;
             let parameter =
-                control_anticipation(&motion.model, modes, &motion.forced, 0).filter(|_| elevator);
+                control_anticipation(&motion.model, studied.modes, &motion.forced, 0).filter(|_| elevator);
             if let Some(parameter) = parameter {
                 lines.push(format!(
                     "Control anticipation parameter, from this response: {} rad/s² per g",
@@ -63,10 +80,11 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
             }
         }
         Plane::Lateral => {
-            if let Some(time) = time_to_bank(&motion.values(Output::BankAngle), dt, from) {
+            let banked = time_to_bank(&small_values(studied, Output::BankAngle), dt, from);
+            if let Some(time) = banked.filter(|_| !random) {
                 lines.push(format!("30° of bank after {} s", significant(time, 3)));
             }
-            if let Some((time, load)) = peak(&motion.values(Output::SideLoad), dt) {
+            if let Some((time, load)) = peak(&small_values(studied, Output::SideLoad), dt) {
                 lines.push(format!(
                     "Largest lateral load factor: {} g at {} s",
                     significant(load, 2),
@@ -76,6 +94,13 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
         }
     }
     lines
+}
+
+/// First swing of the phugoid's part of the height, as long as the disturbance is small \[m\].
+fn swing(studied: Studied<'_>) -> Option<f64> {
+    let mut height = studied.motion.split(studied.modes, Output::Height).ok()?;
+    height.parts.iter_mut().for_each(|part| part.truncate(studied.small()));
+    phugoid_swing(studied.modes, &height)
 }
 
 fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
@@ -89,41 +114,48 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
     let head = |ui: &mut Ui, text: &str| {
         ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.weak));
     };
+    let random = in_turbulence(studied);
+    let columns: &[&str] = if random { &["r.m.s."] } else { &["Steady", "Rise", "Settled", "Overshoot"] };
     Grid::new("figures").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
-        for text in ["", "", "Peak", "at", "Steady", "Rise", "Settled", "Overshoot"] {
+        for text in ["", "", "Peak", "at"].iter().chain(columns) {
             head(ui, text);
         }
         ui.end_row();
         for &output in Output::of(studied.plane()) {
             let (quantity, unit_symbol, unit) = units(output, studied.scenario);
-            let values = motion.values(output);
-            let values = &values[..values.len().min(studied.small())];
-            let row = output.row(&motion.model, &motion.forced);
-            let steady =
-                amplitude.and_then(|size| steady_output(studied.modes, &row, &motion.forced, 0, size));
-            let figures = steady.and_then(|steady| step_figures(values, motion.response.dt, START, steady));
-            let most = peak(values, motion.response.dt);
-            // Beside the motion this is rounding.
-            let steady = steady.map(|value| {
-                let size = most.map_or(0.0, |(_, most)| most.abs());
-                if value.abs() <= 1e-9 * size { 0.0 } else { value }
-            });
+            let values = small_values(studied, output);
+            let most = peak(&values, motion.response.dt);
             symbol_ui(ui, &Symbol::parse(quantity.symbol), 14.0, palette.text, None);
             ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
                 .on_hover_text(quantity.name);
             ui.label(number(most.map(|(_, value)| value / unit)));
             ui.label(most.map_or_else(String::new, |(time, _)| format!("{} s", significant(time, 3))));
+            if random {
+                ui.label(number(root_mean_square(&values).map(|value| value / unit)));
+                ui.end_row();
+                continue;
+            }
+            let row = output.row(&motion.model, &motion.forced);
+            let steady =
+                amplitude.and_then(|size| steady_output(studied.modes, &row, &motion.forced, 0, size));
+            let figures = steady.and_then(|steady| step_figures(&values, motion.response.dt, START, steady));
+            // Beside the motion this is rounding.
+            let steady = steady.map(|value| {
+                let size = most.map_or(0.0, |(_, most)| most.abs());
+                if value.abs() <= 1e-9 * size { 0.0 } else { value }
+            });
             ui.label(number(steady.map(|value| value / unit)));
-            let seconds = |time: Option<f64>| {
-                time.map_or_else(|| "–".to_owned(), |t| format!("{} s", significant(t, 3)))
-            };
-            ui.label(seconds(figures.and_then(|f| f.rise_time)));
-            ui.label(seconds(figures.and_then(|f| f.settling_time)));
-            ui.label(
-                figures
-                    .map_or_else(|| "–".to_owned(), |f| format!("{} %", significant(100.0 * f.overshoot, 3))),
-            );
+            step_ui(ui, figures);
             ui.end_row();
         }
     });
+}
+
+/// How fast a step is answered and how far over, in three cells.
+fn step_ui(ui: &mut Ui, figures: Option<StepFigures>) {
+    let none = || "–".to_owned();
+    let seconds = |time: Option<f64>| time.map_or_else(none, |t| format!("{} s", significant(t, 3)));
+    ui.label(seconds(figures.and_then(|f| f.rise_time)));
+    ui.label(seconds(figures.and_then(|f| f.settling_time)));
+    ui.label(figures.map_or_else(none, |f| format!("{} %", significant(100.0 * f.overshoot, 3))));
 }

@@ -1,14 +1,16 @@
 //! The frequency response of the input at work: gain and phase over frequency, with the peaks that the oscillations make.
 
-use egui::{RichText, Ui};
+use egui::{Rect, RichText, Ui};
 use egui_plot::PlotPoint;
 
+use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, input_words, units};
 use super::time::grid;
-use super::{index, output_ui};
+use super::{index, note_ui, output_ui};
 use crate::content::LengthUnit;
 use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
+use crate::flight::modes::{DynamicStability, Mode};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
@@ -50,8 +52,15 @@ impl FrequencyPlots {
         output_ui(ui, "Output of the frequency response", plane, &mut self.outputs[index(plane)]);
     }
 
-    /// Draws gain and phase.
-    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
+    /// Draws gain and phase, and their legend into `beside` if it fits.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        studied: Studied<'_>,
+        ghost: Option<Studied<'_>>,
+        rows: Rows,
+        beside: Option<Rect>,
+    ) {
         let palette = Palette::of(ui);
         let output = self.outputs[index(studied.plane())];
         let channel = studied.scenario.driven_channel();
@@ -61,7 +70,14 @@ impl FrequencyPlots {
         let range = frequency_range(studied.modes);
         let pinned = ghost.map(|ghost| bode(ghost, output, range));
         let bode = bode(studied, output, range);
-        peaks_ui(ui, &bode, unit, input_unit);
+        if let Some(growing) = unsteady(studied.modes) {
+            note_ui(ui, &growing);
+        } else {
+            peaks_ui(ui, &bode, unit, input_unit);
+        }
+        if let Some(growing) = ghost.and_then(|ghost| unsteady(ghost.modes)) {
+            note_ui(ui, &format!("Pinned: {growing}"));
+        }
 
         let decibels = |bode: &Bode, name, color, stroke| {
             curve(bode, name, color, stroke, |point| 20.0 * (point.value.norm() / bode.unit).log10())
@@ -100,18 +116,40 @@ impl FrequencyPlots {
             })
             .collect();
         let gain = Picture { dots, ..picture(&gain_unit, with_ghost(&decibels), false) };
-        let phase = picture("deg", with_ghost(&degrees), false);
+        let phase = Picture { names_axis: true, ..picture("deg", with_ghost(&degrees), false) };
+        let pictures = [gain, phase];
+        let mut entries = legend::curves(&pictures);
+        entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
+            let name = mode.naming.name;
+            Entry {
+                mark: Mark::Upright, color: palette.mode(name), name: format!("ωₙ of {}", name.text())
+            }
+        }));
+        legend::legend_ui(ui, &entries, beside);
+        let [gain, phase] = pictures;
         let places = grid(ui, 2, rows);
         self.gain.show(ui, places[0], &gain, None);
         self.phase.show(ui, places[1], &phase, None);
     }
 }
 
+/// Why no steady oscillation answers a sine, where a mode grows.
+fn unsteady(modes: &[Mode]) -> Option<String> {
+    let growing = modes.iter().find(|mode| mode.stability == DynamicStability::Unstable)?;
+    Some(format!(
+        "{} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
+        growing.naming.name.text()
+    ))
+}
+
 fn bode(studied: Studied<'_>, output: Output, range: (f64, f64)) -> Bode {
     let forced = studied.scenario.driven(studied.motion);
     let row = output.row(&studied.motion.model, &forced);
     let points = frequency_response(&forced, &row, 0, range, POINTS);
-    let peaks = peaks(&forced, &row, 0, &points, studied.modes);
+    let mut peaks = peaks(&forced, &row, 0, &points, studied.modes);
+    if unsteady(studied.modes).is_some() {
+        peaks.clear();
+    }
     let (_, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
     let (_, _, unit) = units(output, studied.scenario);
     Bode { points, peaks, unit: unit / dimension.in_si(LengthUnit::Metre) }

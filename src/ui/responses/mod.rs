@@ -4,13 +4,14 @@
 mod disturbance;
 mod figures;
 mod frequency;
+mod legend;
 mod phase;
 mod plot;
 mod studied;
 mod thin;
 mod time;
 
-use egui::{RichText, Ui};
+use egui::{Rect, RichText, Ui};
 
 use super::derivatives::Rows;
 use super::theme::{self, Palette};
@@ -30,6 +31,8 @@ pub struct Responses {
     pub tab: Tab,
     /// Whether the nonlinear flight is drawn beside the linear motion.
     pub nonlinear: bool,
+    /// What the rows of choosers leave free at their end.
+    beside: Option<Rect>,
     time: time::TimePlots,
     phase: phase::PhasePlots,
     frequency: frequency::FrequencyPlots,
@@ -58,6 +61,10 @@ impl Responses {
                     "The six rigid-body equations, integrated, beside the linear model. Raise the factor × to see them part",
                 );
             }
+            let free = ui.available_rect_before_wrap();
+            // Of several rows, the last.
+            let row = Rect::from_x_y_ranges(free.x_range(), ui.cursor().y_range());
+            self.beside = Some(row.with_min_x(row.left() + 8.0));
         });
     }
 
@@ -109,10 +116,11 @@ impl Responses {
         if let Some(end) = studied.end_of_flight() {
             note_ui(ui, &end);
         }
+        let beside = self.beside.take();
         match self.tab {
-            Tab::Time => self.time.show(ui, studied, ghost, rows),
-            Tab::Phase => self.phase.show(ui, studied, ghost, rows, self.time.cursor()),
-            Tab::Frequency => self.frequency.show(ui, studied, ghost, rows),
+            Tab::Time => self.time.show(ui, studied, ghost, rows, beside),
+            Tab::Phase => self.phase.show(ui, studied, ghost, rows, (self.time.cursor(), beside)),
+            Tab::Frequency => self.frequency.show(ui, studied, ghost, rows, beside),
             Tab::Figures => figures::figures_ui(ui, studied, ghost),
         }
     }

@@ -1,8 +1,9 @@
 //! Phase portraits: one quantity over another, time only along the path.
 
-use egui::Ui;
+use egui::{Rect, Ui};
 use egui_plot::PlotPoint;
 
+use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::time::grid;
@@ -42,19 +43,20 @@ impl PhasePlots {
         }
     }
 
-    /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\].
+    /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\], and their legend into `beside` if it
+    /// fits.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         studied: Studied<'_>,
         ghost: Option<Studied<'_>>,
         rows: Rows,
-        cursor: Option<f64>,
+        (cursor, beside): (Option<f64>, Option<Rect>),
     ) {
         let palette = Palette::of(ui);
         let pairs = self.pairs[index(studied.plane())];
-        let places = grid(ui, pairs.len(), rows);
-        for ((plot, (over, of)), place) in self.plots.iter_mut().zip(pairs).zip(places) {
+        let mut pictures = Vec::new();
+        for (over, of) in pairs {
             let (across, across_unit, across_si) = units(over, studied.scenario);
             let (upward, upward_unit, upward_si) = units(of, studied.scenario);
             let path = |studied: Studied<'_>, name, color, stroke| {
@@ -78,12 +80,22 @@ impl PhasePlots {
                 curves[0].points.get(k).copied()
             });
             dots.extend(now.map(|place| (place, palette.text)));
-            let picture = Picture {
+            pictures.push(Picture {
                 against: (across.symbol, across_unit),
                 dots,
                 ..Picture::of_time(upward.symbol, upward_unit, curves)
-            };
-            plot.show(ui, place, &picture, None);
+            });
+        }
+        let mut entries = legend::curves(&pictures);
+        let dot = |color, name: &str| Entry { mark: Mark::Dot, color, name: name.to_owned() };
+        entries.push(dot(palette.weak, "steady flight"));
+        if pictures.iter().any(|picture| picture.dots.len() > 1) {
+            entries.push(dot(palette.text, "at the cursor"));
+        }
+        legend::legend_ui(ui, &entries, beside);
+        let places = grid(ui, pairs.len(), rows);
+        for ((plot, picture), place) in self.plots.iter_mut().zip(&pictures).zip(places) {
+            plot.show(ui, place, picture, None);
         }
     }
 }

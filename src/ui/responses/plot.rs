@@ -8,6 +8,7 @@ use egui_plot::{HLine, Line, LineStyle, PlotPoint, PlotPoints, Points, Span, VLi
 use crate::number::{round_up, significant};
 use crate::ui::axis_range::AxisRange;
 use crate::ui::finger;
+use crate::ui::responses::legend::{self, SAMPLE};
 use crate::ui::responses::thin::thin;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
@@ -34,7 +35,7 @@ pub enum Stroke {
 /// A curve in shown units.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What it is, for screen readers.
+    /// What it is, for the legend and screen readers.
     pub name: &'static str,
     /// Its points.
     pub points: Vec<PlotPoint>,
@@ -75,6 +76,10 @@ pub struct Picture<'a> {
     pub logarithmic: bool,
     /// Whether the vertical axis holds zero.
     pub with_zero: bool,
+    /// Symbols of the curves, where each is another quantity: the title then names them all.
+    pub quantities: Vec<&'a str>,
+    /// Whether symbol and unit stand at the end of the horizontal axis.
+    pub names_axis: bool,
 }
 
 impl<'a> Picture<'a> {
@@ -91,6 +96,8 @@ impl<'a> Picture<'a> {
             x_range: None,
             logarithmic: false,
             with_zero: true,
+            quantities: Vec::new(),
+            names_axis: false,
         }
     }
 
@@ -153,6 +160,7 @@ impl SmallPlot {
             rect.max - Vec2::new(0.0, GUTTER.y),
         );
         let response = draw(ui, frame, picture, (x.clone(), y), cursor);
+        theme::focus_ring(ui, &response);
         let held = finger::works_on(ui, &response);
         // A finger that has tapped is nowhere any more.
         let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
@@ -172,12 +180,9 @@ fn draw(
 ) -> egui::Response {
     let palette = Palette::of(ui);
     let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x) };
-    let mut vertical = marks(&y, rect.height(), APART.y);
-    if vertical.len() < 2 {
-        // One figure alone gives no scale.
-        vertical = marks(&y, rect.height(), 0.5 * APART.y);
-    }
-    tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical));
+    let vertical = marks(&y, rect.height(), APART.y);
+    let name = picture.names_axis.then_some(picture.against);
+    tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical), name);
     let scale = rect.size() / Vec2::new((x.end() - x.start()) as f32, (y.end() - y.start()) as f32);
     let id = Id::unique((picture.symbol, picture.unit, picture.against.0));
     let plot = ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
@@ -232,6 +237,22 @@ fn draw(
 /// Symbol and unit on the left; on the right the value at the cursor.
 fn title(ui: &Ui, rect: Rect, picture: &Picture<'_>, value: Option<f64>) {
     let palette = Palette::of(ui);
+    if !picture.quantities.is_empty() {
+        quantities(ui, rect, picture);
+    } else {
+        quantity(ui, rect, picture);
+    }
+    // Of several quantities nobody could tell whose it is.
+    if let Some(value) = value.filter(|_| picture.quantities.len() < 2) {
+        let text = format!("{} {}", significant(value, 3), picture.unit);
+        let corner = rect.right_top() + Vec2::new(-4.0, 2.0);
+        ui.painter().text(corner, Align2::RIGHT_TOP, text, theme::semibold(11.5), palette.text);
+    }
+}
+
+/// The title of a picture of one quantity.
+fn quantity(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
+    let palette = Palette::of(ui);
     let mut job = Symbol::parse(picture.symbol).job(15.0, palette.text);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     job.append(&format!("  {}", picture.unit), 0.0, weak());
@@ -242,10 +263,49 @@ fn title(ui: &Ui, rect: Rect, picture: &Picture<'_>, value: Option<f64>) {
     }
     let galley = ui.painter().layout_job(job);
     ui.painter().galley(rect.min + Vec2::new(2.0, 0.0), galley, palette.text);
-    if let Some(value) = value {
-        let text = format!("{} {}", significant(value, 3), picture.unit);
-        let corner = rect.right_top() + Vec2::new(-4.0, 2.0);
-        ui.painter().text(corner, Align2::RIGHT_TOP, text, theme::semibold(11.5), palette.text);
+}
+
+/// The title of a picture of inputs: of each, as far as there is room, a sample of its curve, its symbol and its name.
+fn quantities(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
+    let palette = Palette::of(ui);
+    let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
+    let several = picture.quantities.len() > 1;
+    let galleys = |with_symbol: bool, with_name: bool| -> Vec<_> {
+        let parts = picture.quantities.iter().zip(&picture.curves).enumerate();
+        let parts = parts.map(|(i, (symbol, curve))| {
+            let mut job = egui::text::LayoutJob::default();
+            if with_symbol {
+                Symbol::parse(symbol).append_to(&mut job, 15.0, palette.text);
+            }
+            if with_name {
+                job.append(curve.name, if with_symbol { 5.0 } else { 0.0 }, weak());
+            }
+            if i + 1 == picture.quantities.len() {
+                job.append(picture.unit, 8.0, weak());
+            }
+            ui.painter().layout_job(job)
+        });
+        parts.collect()
+    };
+    let before = if several { SAMPLE + 4.0 } else { 0.0 };
+    let wide = |galley: &egui::Galley| before + galley.size().x + 10.0;
+    // Room for the value of one; of several there is none.
+    let room = rect.width() - if several { 0.0 } else { 70.0 };
+    let fits = |shown: &Vec<std::sync::Arc<egui::Galley>>| {
+        shown.iter().map(|galley| wide(galley)).sum::<f32>() <= room
+    };
+    let choices: &[(bool, bool)] = if several { &[(true, true), (false, true)] } else { &[(true, true)] };
+    let shown = choices.iter().map(|&(symbol, name)| galleys(symbol, name)).find(fits);
+    let mut left_top = rect.min + Vec2::new(2.0, 0.0);
+    for (galley, curve) in shown.unwrap_or_else(|| galleys(true, false)).into_iter().zip(&picture.curves) {
+        if several {
+            let middle = left_top + Vec2::new(0.0, 10.0);
+            legend::sample(ui.painter(), middle, legend::Mark::Curve(curve.stroke), curve.color);
+        }
+        let width = wide(&galley);
+        let down = if several { 10.0 - 0.5 * galley.size().y } else { 0.0 };
+        ui.painter().galley(left_top + Vec2::new(before, down), galley, palette.text);
+        left_top.x += width;
     }
 }
 
@@ -255,8 +315,14 @@ struct Mark {
     label: String,
 }
 
-/// The figures of both axes, outside the frame.
-fn tick_labels(ui: &Ui, rect: Rect, (x, horizontal): Axis<'_>, (y, vertical): Axis<'_>) {
+/// The figures of both axes, outside the frame, and at the end of the horizontal one its symbol and unit.
+fn tick_labels(
+    ui: &Ui,
+    rect: Rect,
+    (x, horizontal): Axis<'_>,
+    (y, vertical): Axis<'_>,
+    name: Option<(&str, &str)>,
+) {
     let palette = Palette::of(ui);
     let font = FontId::proportional(10.0);
     let fraction = |range: &RangeInclusive<f64>, value: f64| {
@@ -268,40 +334,67 @@ fn tick_labels(ui: &Ui, rect: Rect, (x, horizontal): Axis<'_>, (y, vertical): Ax
         let at = egui::pos2(rect.left() - 4.0, rect.bottom() - height);
         ui.painter().text(at, Align2::RIGHT_CENTER, &mark.label, font.clone(), palette.weak);
     }
+    let mut end = f32::INFINITY;
+    if let Some((symbol, unit)) = name {
+        let mut job = Symbol::parse(symbol).job(11.5, palette.weak);
+        job.append(&format!(", {unit}"), 0.0, egui::TextFormat::simple(font.clone(), palette.weak));
+        let galley = ui.painter().layout_job(job);
+        end = rect.right() - galley.size().x;
+        ui.painter().galley(egui::pos2(end, rect.bottom()), galley, palette.weak);
+    }
     for mark in horizontal {
         let at = egui::pos2(rect.left() + fraction(x, mark.value) * rect.width(), rect.bottom() + 1.0);
-        ui.painter().text(at, Align2::CENTER_TOP, &mark.label, font.clone(), palette.weak);
+        let galley = ui.painter().layout_no_wrap(mark.label.clone(), font.clone(), palette.weak);
+        let half = 0.5 * galley.size().x;
+        // Where the name of the axis stands there is no room for a figure.
+        if at.x + half + 4.0 <= end {
+            ui.painter().galley(at - Vec2::new(half, 0.0), galley, palette.weak);
+        }
     }
 }
 
 /// A range and the round numbers in it.
 type Axis<'a> = (&'a RangeInclusive<f64>, &'a [Mark]);
 
-/// Round numbers in a range, at least `apart` points from each other.
+/// Round numbers in a range, at least `apart` points from each other, but never fewer than two: one is no scale.
 fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32) -> Vec<Mark> {
     let span = range.end() - range.start();
     let raw = span * f64::from(apart / length.max(1.0));
     let decade = 10_f64.powf(raw.log10().floor());
-    let step =
-        [1.0, 2.0, 5.0].into_iter().map(|d| d * decade).find(|step| *step >= raw).unwrap_or(10.0 * decade);
-    let first = (range.start() / step).ceil();
+    // Steps that are far enough apart, and below them those that are not.
+    let steps = [10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1].map(|d| d * decade);
+    let fitting = steps.into_iter().rev().find(|step| *step >= raw).unwrap_or(10.0 * decade);
+    let at = |step: f64| -> Vec<f64> {
+        let first = (range.start() / step).ceil();
+        let all = (0..=(span / step).min(40.0) as i32).map(|k| (first + f64::from(k)) * step);
+        all.filter(|value| range.contains(value)).collect()
+    };
+    let of_two = steps.into_iter().filter(|step| *step <= fitting).find(|step| at(*step).len() >= 2);
+    let step = of_two.unwrap_or(fitting);
     let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
     let label = |value: f64| {
-        if value.abs() >= 1e5 { significant(value, 2) } else { crate::number::fixed(value, decimals) }
+        if value.abs() >= 1e5 {
+            // As many digits as tell it from the next.
+            let digits = (value.abs().log10().floor() - step.log10().floor()).clamp(1.0, 16.0) as usize + 1;
+            significant(value, digits)
+        } else {
+            crate::number::fixed(value, decimals)
+        }
     };
-    (0..=(span / step).min(40.0) as i32)
-        .map(|k| (first + f64::from(k)) * step)
-        .filter(|value| range.contains(value))
-        .map(|value| Mark { value, label: label(value) })
-        .collect()
+    at(step).into_iter().map(|value| Mark { value, label: label(value) }).collect()
 }
 
-/// The powers of ten in a range of logarithms.
+/// The powers of ten in a range of logarithms; where there are fewer than two, their double and fivefold too.
 fn decades(range: &RangeInclusive<f64>) -> Vec<Mark> {
-    let (first, last) = (range.start().ceil().max(-12.0) as i32, range.end().floor().min(12.0) as i32);
-    (first..=last)
-        .map(|power| Mark { value: f64::from(power), label: significant(10_f64.powi(power), 1) })
-        .collect()
+    let (first, last) = (range.start().floor().max(-12.0) as i32, range.end().floor().min(12.0) as i32);
+    let within = |digits: &[f64]| -> Vec<Mark> {
+        let all = (first..=last).flat_map(|power| digits.iter().map(move |digit| digit * 10_f64.powi(power)));
+        all.filter(|value| range.contains(&value.log10()))
+            .map(|value| Mark { value: value.log10(), label: significant(value, 1) })
+            .collect()
+    };
+    let powers = within(&[1.0]);
+    if powers.len() < 2 { within(&[1.0, 2.0, 5.0]) } else { powers }
 }
 
 /// Linear interpolation at x, exact at the points.
@@ -312,4 +405,32 @@ fn at(points: &[PlotPoint], x: f64) -> Option<f64> {
         Some(b) if b.x > a.x => a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x),
         _ => a.y,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::marks;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Of any range that a plot can have, on an axis of any length.
+        #[test]
+        fn an_axis_has_two_figures_at_least(
+            low in -1.0..1.0_f64,
+            size in 0.01..2.0_f64,
+            power in -9..9_i32,
+            length in 20.0..900.0_f32,
+        ) {
+            let unit = 10_f64.powi(power);
+            let marks = marks(&(low * unit..=(low + size) * unit), length, 34.0);
+            prop_assert!(marks.len() >= 2, "{} of them", marks.len());
+            for pair in marks.windows(2) {
+                prop_assert!(pair[0].value < pair[1].value);
+                prop_assert!(power < -6 || pair[0].label != pair[1].label, "{} twice", pair[0].label);
+            }
+        }
+    }
 }

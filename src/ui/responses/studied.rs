@@ -88,7 +88,7 @@ impl Studied<'_> {
             .collect();
         // Rounding is no part.
         if largest(&sum.rest) > 1e-6 * whole {
-            curves.push(self.timed("no mode", sum.rest, unit, Stroke::Part, palette.ghost));
+            curves.push(self.timed("no mode: input and drift", sum.rest, unit, Stroke::Part, palette.ghost));
         }
         Ok(curves)
     }
@@ -107,11 +107,12 @@ impl Studied<'_> {
         Curve { name, points, drawn: self.small(), color, stroke }
     }
 
-    /// The inputs as they are, their edges upright, with symbol and dimension of the first; none where nothing moves.
-    pub fn inputs(&self, palette: &Palette) -> Option<(&'static str, Dimension, Vec<Curve>)> {
+    /// The inputs as they are, their edges upright, with the symbol of each and the dimension of all; none where nothing moves.
+    pub fn inputs(&self, palette: &Palette) -> Option<(Vec<&'static str>, Dimension, Vec<Curve>)> {
         let experiment = &self.motion.experiment;
         let end = experiment.grid.duration;
         let mut shown = None;
+        let mut symbols = Vec::new();
         let mut curves = Vec::new();
         for (i, (channel, input)) in experiment.inputs.iter().enumerate() {
             let (symbol, name, dimension, sign) = input_words(self.plane(), *channel);
@@ -127,9 +128,10 @@ impl Studied<'_> {
             let (color, stroke) =
                 if i == 0 { (palette.text, Stroke::Full) } else { (palette.weak, Stroke::Dashed) };
             curves.push(Curve { name, drawn: points.len(), points, color, stroke });
-            shown.get_or_insert((symbol, dimension));
+            symbols.push(symbol);
+            shown.get_or_insert(dimension);
         }
-        shown.map(|(symbol, dimension)| (symbol, dimension, curves))
+        shown.map(|dimension| (symbols, dimension, curves))
     }
 }
 
@@ -137,7 +139,7 @@ impl Studied<'_> {
 pub const fn input_words(plane: Plane, channel: Channel) -> (&'static str, &'static str, Dimension, f64) {
     match (plane, channel) {
         (Plane::Longitudinal, Channel::First) => ("δ_e", "elevator", Dimension::Angle, 1.0),
-        (Plane::Longitudinal, Channel::Second) => ("δ_t", "throttle", Dimension::Percent, 1.0),
+        (Plane::Longitudinal, Channel::Second) => ("δ_t", "throttle", Dimension::ShareOfWeight, 1.0),
         (Plane::Lateral, Channel::First) => ("δ_a", "aileron", Dimension::Angle, 1.0),
         (Plane::Lateral, Channel::Second) => ("δ_r", "rudder", Dimension::Angle, 1.0),
         (_, Channel::AirAlong) => ("u_g", "air from ahead", Dimension::AirSpeed, -1.0),

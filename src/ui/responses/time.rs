@@ -4,6 +4,7 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::style::StyleModifier;
 use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
+use super::legend;
 use super::plot::{Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::{index, note_ui, word};
@@ -79,8 +80,15 @@ impl TimePlots {
         );
     }
 
-    /// Draws the plots over all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
+    /// Draws the plots over all the room there is, and their legend into `beside` if it fits.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        studied: Studied<'_>,
+        ghost: Option<Studied<'_>>,
+        rows: Rows,
+        beside: Option<Rect>,
+    ) {
         let palette = Palette::of(ui);
         let chosen = &self.chosen[index(studied.plane())];
         let mut pictures: Vec<Picture<'_>> = Vec::new();
@@ -102,12 +110,16 @@ impl TimePlots {
             pictures.push(Picture::of_time(quantity.symbol, symbol, curves));
         }
         let of_motion = pictures.len();
-        if let Some((symbol, dimension, curves)) = studied.inputs(palette) {
-            pictures.push(Picture::of_time(symbol, dimension.symbol(LengthUnit::Metre), curves));
+        let entries = legend::curves(&pictures);
+        if let Some((quantities, dimension, curves)) = studied.inputs(palette) {
+            let symbol = quantities.first().copied().unwrap_or_default();
+            let unit = dimension.symbol(LengthUnit::Metre);
+            pictures.push(Picture { quantities, ..Picture::of_time(symbol, unit, curves) });
         }
         if let Some(error) = unsplit {
             note_ui(ui, &format!("No split into modes: {error}."));
         }
+        legend::legend_ui(ui, &entries, beside);
         let duration = studied.duration().max(1e-3);
         let beyond = studied.motion.small_until.map(|time| time..=duration);
         for (i, picture) in pictures.iter_mut().enumerate() {
@@ -115,6 +127,9 @@ impl TimePlots {
             if i < of_motion {
                 picture.beyond = beyond.clone();
             }
+        }
+        if let Some(last) = pictures.last_mut() {
+            last.names_axis = true;
         }
         let places = grid(ui, pictures.len(), rows);
         self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);

@@ -1,0 +1,131 @@
+//! Which line is what: one compact line above the plots, of what they show and nothing else.
+
+use std::sync::Arc;
+
+use egui::{Color32, Galley, Id, Painter, Pos2, Rect, Sense, Shape, Ui, Vec2, WidgetInfo, accesskit::Role};
+
+use super::plot::{Picture, Stroke};
+use crate::ui::theme::{self, Palette};
+
+/// Length of a sample of a line.
+pub const SAMPLE: f32 = 18.0;
+/// Between a sample and its words, and between two of them.
+const GAPS: (f32, f32) = (4.0, 12.0);
+const LINE_HEIGHT: f32 = 17.0;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// A curve.
+    Curve(Stroke),
+    /// An upright line.
+    Upright,
+    /// A dot.
+    Dot,
+}
+
+impl Mark {
+    /// How a screen reader tells it from the others.
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Curve(Stroke::Full) => "full line",
+            Self::Curve(Stroke::Dashed) => "dashed",
+            Self::Curve(Stroke::Dotted) => "dotted",
+            Self::Curve(Stroke::Part) => "filled",
+            Self::Upright => "upright line",
+            Self::Dot => "dot",
+        }
+    }
+}
+
+/// A mark, its colour and its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// What is drawn.
+    pub mark: Mark,
+    /// Its colour.
+    pub color: Color32,
+    /// What it is.
+    pub name: String,
+}
+
+/// The curves of all pictures, each name once: first the whole motions, then the parts.
+pub fn curves(pictures: &[Picture<'_>]) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for curve in pictures.iter().flat_map(|picture| &picture.curves) {
+        if !entries.iter().any(|entry| entry.name == curve.name) {
+            let (color, name) = (curve.color, curve.name.to_owned());
+            entries.push(Entry { mark: Mark::Curve(curve.stroke), color, name });
+        }
+    }
+    entries.sort_by_key(|entry| entry.mark == Mark::Curve(Stroke::Part));
+    entries
+}
+
+/// Draws the legend into `beside`, where it fits there, else in lines of its own.
+pub fn legend_ui(ui: &mut Ui, entries: &[Entry], beside: Option<Rect>) {
+    if entries.is_empty() {
+        return;
+    }
+    let palette = Palette::of(ui);
+    let layout =
+        |entry: &Entry| ui.painter().layout_no_wrap(entry.name.clone(), theme::small(), palette.weak);
+    let galleys: Vec<Arc<Galley>> = entries.iter().map(layout).collect();
+    let wide = |galley: &Galley| SAMPLE + GAPS.0 + galley.size().x;
+    let whole = galleys.iter().map(|galley| wide(galley) + GAPS.1).sum::<f32>() - GAPS.1;
+    let beside = beside.filter(|room| whole <= room.width());
+    let width = beside.map_or(ui.available_width(), |room| room.width());
+    let mut places: Vec<Vec2> = Vec::new();
+    let mut at = Vec2::ZERO;
+    for galley in &galleys {
+        if at.x > 0.0 && at.x + wide(galley) > width {
+            at = Vec2::new(0.0, at.y + LINE_HEIGHT);
+        }
+        places.push(at);
+        at.x += wide(galley) + GAPS.1;
+    }
+    let (area, response) = match beside {
+        Some(room) => {
+            let top = room.center().y - 0.5 * LINE_HEIGHT;
+            let area = Rect::from_min_size(egui::pos2(room.left(), top), Vec2::new(whole, LINE_HEIGHT));
+            (area, ui.interact(area, Id::unique("legend"), Sense::hover()))
+        }
+        None => ui.allocate_exact_size(Vec2::new(width, at.y + LINE_HEIGHT), Sense::hover()),
+    };
+    let said: Vec<String> =
+        entries.iter().map(|entry| format!("{}, {}", entry.name, entry.mark.text())).collect();
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("Legend: {}", said.join("; "))));
+    for ((entry, galley), place) in entries.iter().zip(galleys).zip(places) {
+        let left = area.min + place + Vec2::new(0.0, 0.5 * LINE_HEIGHT);
+        sample(ui.painter(), left, entry.mark, entry.color);
+        let text = left + Vec2::new(SAMPLE + GAPS.0, -0.5 * galley.size().y);
+        ui.painter().galley(text, galley, palette.weak);
+    }
+}
+
+/// A sample of a mark, as long as [`SAMPLE`] and with the middle of its left end here.
+pub fn sample(painter: &Painter, left: Pos2, mark: Mark, color: Color32) {
+    let ends = [left, left + Vec2::new(SAMPLE, 0.0)];
+    let middle = left + Vec2::new(0.5 * SAMPLE, 0.0);
+    match mark {
+        Mark::Curve(Stroke::Full) => {
+            painter.line_segment(ends, (1.8, color));
+        }
+        Mark::Curve(Stroke::Dashed) => {
+            painter.extend(Shape::dashed_line(&ends, (1.4, color), 4.0, 3.0));
+        }
+        Mark::Curve(Stroke::Dotted) => {
+            painter.extend(Shape::dotted_line(&ends, color, 3.6, 1.1));
+        }
+        Mark::Curve(Stroke::Part) => {
+            painter.rect_filled(Rect::from_center_size(middle, Vec2::splat(9.0)), 1.5, color);
+        }
+        Mark::Upright => {
+            let [top, bottom] = [-6.0, 6.0].map(|y| middle + Vec2::new(0.0, y));
+            painter.extend(Shape::dashed_line(&[top, bottom], (1.2, color), 3.0, 2.0));
+        }
+        Mark::Dot => {
+            painter.circle_filled(middle, 3.5, color);
+        }
+    }
+}
