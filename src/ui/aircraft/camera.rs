@@ -113,6 +113,10 @@ impl Camera {
 
     /// Turned around the aircraft \[rad\].
     pub fn orbit(&mut self, around: f32, up: f32) {
+        if around == 0.0 && up == 0.0 {
+            // Not even by rounding: a standard view is known by its numbers.
+            return;
+        }
         self.azimuth = (self.azimuth + around + PI).rem_euclid(2.0 * PI) - PI;
         self.elevation = (self.elevation + up).clamp(LOWEST, STEEPEST);
     }
