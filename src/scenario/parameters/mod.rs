@@ -343,6 +343,8 @@ impl Parameter {
         } else {
             let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
             self.set(scenario, reference);
+            // The time shown follows the motion until somebody sets it.
+            scenario.disturbance.follows |= self.key == "time";
         }
     }
 

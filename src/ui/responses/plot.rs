@@ -208,7 +208,7 @@ fn draw(
                 let line = Line::new(curve.name, points).color(curve.color);
                 let line = match curve.stroke {
                     Stroke::Full => line.width(1.8).allow_band(false),
-                    Stroke::Part => line.width(1.3).fill(0.0).fill_alpha(0.12),
+                    Stroke::Part => line.width(1.3).fill(0.0).fill_alpha(0.12).allow_band(false),
                     Stroke::Dashed => line.width(1.2).style(LineStyle::dashed_dense()).allow_band(false),
                     Stroke::Dotted => line.width(1.6).style(LineStyle::dotted_dense()).allow_band(false),
                 };
