@@ -131,10 +131,10 @@ test("a finger moves a slider on a phone", async (t) => {
   const { page, ready, state, slider } = await open(t, { viewport: { width: 390, height: 844 }, touch: true });
   await ready();
   const before = await state();
-  const { x, y, width } = await middle(slider("lift-curve slope C_Lα"));
+  const { x, y, width } = await middle(slider("trim lift C_L"));
   await page.touchscreen.tap(x - width / 4, y);
-  const after = await until(state, (now) => now.parameters.cl_alpha !== before.parameters.cl_alpha, "moved");
-  assert.ok(after.parameters.cl_alpha < before.parameters.cl_alpha);
+  const after = await until(state, (now) => now.parameters.cl !== before.parameters.cl, "moved");
+  assert.ok(after.parameters.cl < before.parameters.cl);
 });
 
 test("a screen reader finds every slider by name, sets one, and hears the verdict and the modes", async (t) => {
