@@ -56,7 +56,7 @@ test("the address waits until a drag has ended", async (t) => {
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
   for (let i = 1; i <= 8; i += 1) {
-    await page.mouse.move(x + width / 2 + i * (width / 30), y + height / 2);
+    await page.mouse.move(x + width / 2 - i * (width / 60), y + height / 2);
     await sleep(150);
   }
   assert.equal(fragment(page), "");
