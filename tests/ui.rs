@@ -1,5 +1,7 @@
 //! The user interface by role and name, without a window.
 
+mod page;
+
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
 use egui_kittest::Harness;
@@ -8,52 +10,16 @@ use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::flight::plane::Plane;
 use eigenwing::scenario::{Page, Parameter, Source, parameters};
 use eigenwing::ui::App;
+use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into, value};
 
-const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
-const TABLET: Vec2 = Vec2::new(1024.0, 768.0);
-const PHONE: Vec2 = Vec2::new(390.0, 844.0);
-
-fn page(size: Vec2) -> Harness<'static, Option<App>> {
-    let mut harness = Harness::builder().with_size(size).build_ui_state(
-        |ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
-        },
-        None,
-    );
-    harness.run();
-    harness
-}
-
-fn app<'h>(harness: &'h Harness<'_, Option<App>>) -> &'h App {
-    harness.state().as_ref().expect("the page has been drawn")
-}
-
-fn analysis<'h>(harness: &'h Harness<'_, Option<App>>) -> &'h PlaneAnalysis {
+fn analysis(harness: &page::Page) -> &PlaneAnalysis {
     app(harness).plane().expect("an analysis of the plane on screen")
 }
 
 /// The rows of a page that the aircraft on screen has.
-fn rows(harness: &Harness<'_, Option<App>>, page: Page) -> Vec<&'static Parameter> {
+fn rows(harness: &page::Page, page: Page) -> Vec<&'static Parameter> {
     let scenario = app(harness).scenario();
     parameters().filter(|p| p.is_shown(scenario, page)).collect()
-}
-
-fn value(harness: &Harness<'_, Option<App>>, key: &str) -> f64 {
-    Parameter::find(key).expect("a row").get(app(harness).scenario())
-}
-
-fn choose(harness: &mut Harness<'_, Option<App>>, chooser: &str, choice: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, chooser).click();
-    harness.run();
-    let exact = harness
-        .query_all_by_role(Role::Button)
-        .find(|node| node.accesskit_node().label().is_some_and(|label| label == choice));
-    // As a screen reader does, which doesn't have to scroll a long list on a phone.
-    exact.unwrap_or_else(|| harness.get_by_label_contains(choice)).click_accesskit();
-    harness.run();
-    // A list stays open for it.
-    harness.key_press(Key::Escape);
-    harness.run();
 }
 
 const PITCH_STIFFNESS: &str = "pitch stiffness C_mα";
@@ -170,15 +136,6 @@ fn the_wheel_over_a_slider_or_a_number_edits_nothing() {
     assert_eq!(app(&harness).scenario(), &before);
 }
 
-fn type_into(harness: &mut Harness<'_, Option<App>>, field: &str, text: &str) {
-    harness.get_by_role_and_label(Role::TextInput, field).focus();
-    harness.run();
-    harness.get_by_role_and_label(Role::TextInput, field).type_text(text);
-    harness.run();
-    harness.key_press(Key::Enter);
-    harness.run();
-}
-
 #[test]
 fn a_typed_number_is_taken() {
     let mut harness = page(WIDE);
@@ -237,152 +194,6 @@ fn the_printed_lesson_warns_of_its_units_and_compares_with_the_mended_one() {
     assert_eq!(harness.query_all_by_label_contains("Pinned → now").count(), 0);
 }
 
-fn motion(harness: &Harness<'_, Option<App>>) -> eigenwing::flight::analysis::Motion {
-    let analysis = app(harness).analysis().expect("a frame has been drawn").as_ref().expect("an analysis");
-    analysis.motion.clone().expect("a motion")
-}
-
-#[test]
-fn each_disturbance_can_be_chosen_and_sized() {
-    let mut harness = page(WIDE);
-    for (source, shape, field) in [
-        ("Elevator", Some("pulse"), "elevator pulse in deg"),
-        ("Elevator", Some("doublet"), "length of a part in s"),
-        ("Throttle", Some("3-2-1-1"), "throttle in % of weight"),
-        ("Elevator", Some("sine"), "frequency in rad/s"),
-        ("Elevator", Some("sweep"), "frequency at the end of the sweep in rad/s"),
-        ("Vertical gust", Some("1 − cosine"), "speed of the rising air in m/s"),
-        ("Head gust", Some("step"), "speed of the air from ahead in m/s"),
-        ("Turbulence", None, "strength of the turbulence in m/s"),
-        ("Released from", None, "pitch rate at release in deg/s"),
-        ("One mode", None, "size of the mode in deg"),
-        ("Elevator", Some("step"), "factor on the disturbance"),
-    ] {
-        choose(&mut harness, "Disturbance", source);
-        if let Some(shape) = shape {
-            choose(&mut harness, "Shape of the disturbance", shape);
-        }
-        let before = motion(&harness);
-        type_into(&mut harness, field, "2.5");
-        assert!(motion(&harness) != before, "{source} {shape:?}");
-    }
-}
-
-#[test]
-fn one_mode_alone_is_chosen_by_name() {
-    let mut harness = page(WIDE);
-    choose(&mut harness, "Disturbance", "One mode");
-    let before = motion(&harness);
-    choose(&mut harness, "Mode flown alone", "Phugoid");
-    assert!(motion(&harness) != before);
-}
-
-#[test]
-fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_figures() {
-    for size in [WIDE, TABLET, PHONE] {
-        let mut harness = page(size);
-        if size == PHONE {
-            harness.get_by_role_and_label(Role::Button, "Response").click();
-            harness.run();
-        }
-        harness.get_by_label_contains("Δu in m/s against time");
-        harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
-        harness.run();
-        harness.get_by_label_contains("Δu in m/s against time: between 0 and 10.9");
-        let least = if size == PHONE { 1 } else { 4 };
-        assert!(harness.query_all_by_label_contains("with Short period, Phugoid").count() >= least, "{size}");
-        harness.get_by_role_and_label(Role::Button, "Phase").click();
-        harness.run();
-        harness.get_by_label_contains("q in deg/s against Δα");
-        choose(&mut harness, "Left portrait, upward", "Δh · height gained");
-        harness.get_by_label_contains("Δh in m against Δα");
-        harness.get_by_role_and_label(Role::Button, "Frequency").click();
-        harness.run();
-        harness.get_by_label_contains("Short period peak: 2.54 deg/s per deg at 3.14 rad/s");
-        choose(&mut harness, "Output of the frequency response", "Δn_z · normal load factor");
-        harness.get_by_label_contains("dB of g per deg");
-        harness.get_by_role_and_label(Role::Button, "Figures").click();
-        harness.run();
-        harness.get_by_label_contains("Phugoid, first swing of the height");
-    }
-}
-
-fn open(harness: &mut Harness<'_, Option<App>>, link: &str) {
-    harness.state_mut().as_mut().expect("the page has been drawn").open(link);
-    harness.run();
-}
-
-/// The whole text of the first label that has these words in it.
-fn said(harness: &Harness<'_, Option<App>>, words: &str) -> String {
-    let node = harness.query_all_by_label_contains(words).next().expect("a label");
-    let node = node.accesskit_node();
-    node.label().or_else(|| node.value()).unwrap_or_default()
-}
-
-#[test]
-fn figures_end_where_the_linear_model_does() {
-    let mut harness = page(WIDE);
-    open(&mut harness, "v=1&ac=navion&cm_q=9.96&cl_alpha=2&time=60&tab=figures");
-    let end = motion(&harness).small_until.expect("it grows");
-    assert!(end < 30.0, "{end}");
-    let line = said(&harness, "Largest change of load factor");
-    let time = line.trim_end_matches(" s").rsplit(' ').next().expect("a time");
-    assert!(time.parse::<f64>().expect("a number") <= end + 0.06, "{line}, linear until {end}");
-}
-
-#[test]
-fn in_turbulence_figures_are_averages() {
-    let mut harness = page(WIDE);
-    open(&mut harness, "v=1&ac=navion&tab=figures");
-    assert_eq!(harness.query_all_by_label_contains("first swing").count(), 1);
-    assert_eq!(harness.query_all_by_label("r.m.s.").count(), 0);
-    open(&mut harness, "v=1&ac=navion&lon.source=turbulence&tab=figures");
-    assert_eq!(harness.query_all_by_label_contains("first swing").count(), 0);
-    assert_eq!(harness.query_all_by_label("r.m.s.").count(), 1);
-    assert_eq!(harness.query_all_by_label("Rise").count(), 0);
-}
-
-#[test]
-fn a_legend_names_every_line_that_is_drawn_and_no_other() {
-    for size in [WIDE, PHONE] {
-        let mut harness = page(size);
-        if size == PHONE {
-            harness.get_by_role_and_label(Role::Button, "Response").click();
-            harness.run();
-        }
-        let legend = |harness: &Harness<'_, Option<App>>| said(harness, "Legend: ");
-        assert_eq!(legend(&harness), "Legend: linear, full line");
-        harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
-        harness.get_by_role_and_label(Role::CheckBox, "Nonlinear").click();
-        harness.get_by_label_contains("Pin this state").click();
-        harness.run();
-        let all = "Legend: linear, full line; nonlinear, dotted; pinned, dashed; Short period, filled; \
-                   Phugoid, filled; no mode: input and drift, filled";
-        assert_eq!(legend(&harness), all);
-        harness.get_by_role_and_label(Role::Button, "Frequency").click();
-        harness.run();
-        let frequency = "Legend: linear, full line; pinned, dashed; ωₙ of Short period, upright line; \
-                         ωₙ of Phugoid, upright line";
-        assert_eq!(legend(&harness), frequency);
-        let node = harness.get_by_label(frequency).rect();
-        assert!(node.left() >= 0.0 && node.right() <= size.x, "{size}: {node}");
-        harness.get_by_role_and_label(Role::Button, "Phase").click();
-        harness.run();
-        assert!(legend(&harness).ends_with("; steady flight, dot"), "{}", legend(&harness));
-    }
-}
-
-#[test]
-fn over_frequency_a_growing_mode_has_no_peak_but_a_warning() {
-    let mut harness = page(WIDE);
-    open(&mut harness, "v=1&ac=navion&cm_q=9.96&cl_alpha=2&tab=frequency");
-    harness.get_by_label_contains("Short period grows: no steady oscillation ever answers a sine");
-    assert_eq!(harness.query_all_by_label_contains(" peak: ").count(), 0);
-    open(&mut harness, "v=1&ac=navion&tab=frequency");
-    assert_eq!(harness.query_all_by_label_contains("grows: ").count(), 0);
-    assert!(harness.query_all_by_label_contains(" peak: ").count() > 0);
-}
-
 #[test]
 fn a_growing_root_has_no_time_constant() {
     let mut harness = page(WIDE);
@@ -421,17 +232,6 @@ fn help_has_a_button() {
     harness.key_press(Key::Escape);
     harness.run();
     assert_eq!(harness.query_all_by_role_and_label(Role::Heading, "Keys").count(), 0);
-}
-
-#[test]
-fn which_outputs_are_shown_can_be_chosen() {
-    let mut harness = page(WIDE);
-    assert_eq!(harness.query_all_by_label_contains("Δn_z in g").count(), 0);
-    harness.get_by_role_and_label(Role::Button, "Quantities shown").click();
-    harness.run();
-    harness.get_by_label("Δn_z · normal load factor").click();
-    harness.run();
-    harness.get_by_label_contains("Δn_z in g against time");
 }
 
 #[test]
@@ -507,7 +307,7 @@ fn every_control_is_on_the_screen_at_a_zoom_of_150_and_200_per_cent_too() {
 #[test]
 fn arrow_keys_scrub_the_playback_both_ways_from_a_round_number_too() {
     let mut harness = page(WIDE);
-    let time = |harness: &Harness<'_, Option<App>>| {
+    let time = |harness: &page::Page| {
         let slider = harness.get_by_role_and_label(Role::Slider, "Time of the playback in s");
         slider.accesskit_node().numeric_value().expect("a time")
     };
@@ -676,25 +476,11 @@ fn shape_levels_and_approximations_of_every_mode_are_shown_on_request() {
     }
 }
 
-#[test]
-fn nonlinear_flight_is_drawn_beside_the_linear_motion_and_says_where_it_ends() {
-    let mut harness = page(WIDE);
-    let computations = app(&harness).computations();
-    harness.get_by_role_and_label(Role::CheckBox, "Nonlinear").click();
-    harness.run();
-    assert!(harness.query_all_by_label_contains("with nonlinear").count() >= 5);
-    type_into(&mut harness, "factor on the disturbance", "15");
-    harness.get_by_label_contains("Nonlinear flight ends: at ");
-    assert_eq!(app(&harness).computations(), computations + 1, "only the new size");
-    choose(&mut harness, "Aircraft", "Lesson 4, as printed");
-    harness.get_by_label_contains("No nonlinear flight: this aircraft is given by its matrices");
-}
-
 /// A knob moves coefficients: each that it moves says to what, and the rest say nothing.
 #[test]
 fn a_knob_shows_what_it_moves() {
     let mut harness = page(WIDE);
-    let told = |harness: &Harness<'_, Option<App>>| {
+    let told = |harness: &page::Page| {
         let sliders = harness.query_all_by_role(Role::Slider);
         sliders.filter(|slider| slider.value().is_some_and(|value| value.contains("in effect"))).count()
     };

@@ -1,34 +1,13 @@
 //! The page by keyboard alone: where Tab goes, what is seen of it, and whose the arrow keys are.
 
+mod page;
+
 use std::collections::HashSet;
 
 use egui::accesskit::{NodeId, Role};
-use egui::{Key, Modifiers, Rect, Vec2};
-use egui_kittest::Harness;
+use egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use eigenwing::scenario::Parameter;
-use eigenwing::ui::App;
-
-const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
-const PHONE: Vec2 = Vec2::new(390.0, 844.0);
-
-type Page = Harness<'static, Option<App>>;
-
-fn page(size: Vec2) -> Page {
-    let mut harness = Harness::builder().with_size(size).build_ui_state(
-        |ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
-        },
-        None,
-    );
-    harness.run();
-    harness
-}
-
-fn value(page: &Page, key: &str) -> f64 {
-    let app = page.state().as_ref().expect("the page has been drawn");
-    Parameter::find(key).expect("a row").get(app.scenario())
-}
+use page::{PHONE, Page, WIDE, page, value};
 
 /// What has the focus: its id, what it says, where it is.
 fn focused(page: &Page) -> Option<(NodeId, String, Rect)> {

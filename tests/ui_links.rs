@@ -1,5 +1,7 @@
 //! Links in the user interface: sharing one, opening one, and what is said of a damaged one.
 
+mod page;
+
 use egui::accesskit::{Role, Toggled};
 use egui::{Key, Modifiers, OutputCommand, Vec2};
 use egui_kittest::Harness;
@@ -7,24 +9,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::plane::Plane;
 use eigenwing::scenario::Parameter;
 use eigenwing::ui::App;
-
-const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
-const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+use page::{PHONE, Page, WIDE, page};
 
 const SHARE: &str = "Share link: copy the whole scene as a link (key L)";
-
-type Page = Harness<'static, Option<App>>;
-
-fn page(size: Vec2) -> Page {
-    let mut harness = Harness::builder().with_size(size).build_ui_state(
-        |ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui);
-        },
-        None,
-    );
-    harness.run();
-    harness
-}
 
 fn app(harness: &mut Page) -> &mut App {
     harness.state_mut().as_mut().expect("the page has been drawn")

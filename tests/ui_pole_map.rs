@@ -1,45 +1,22 @@
 //! The pole map by pointer and keyboard, without a window.
 
+mod page;
+
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::modes::Mode;
 use eigenwing::flight::naming::ModeName;
 use eigenwing::scenario::Parameter;
-use eigenwing::ui::App;
 use nalgebra::Complex;
-
-const WIDE: Vec2 = Vec2::new(1440.0, 900.0);
-const PHONE: Vec2 = Vec2::new(390.0, 844.0);
+use page::{PHONE, Page, WIDE, app, page, value};
 
 /// The eigenvalue of the short period as the page opens, on its card and in words.
 const SHORT_PERIOD: &str = "−2.510 ± 2.592j 1/s";
 
-type Page = Harness<'static, Option<App>>;
-
-fn page(size: Vec2) -> Page {
-    let mut harness = Harness::builder().with_size(size).build_ui_state(
-        |ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
-        },
-        None,
-    );
-    harness.run();
-    harness
-}
-
-fn app(harness: &Page) -> &App {
-    harness.state().as_ref().expect("the page has been drawn")
-}
-
 fn mode(harness: &Page, name: ModeName) -> Mode {
     let modes = &app(harness).plane().expect("an analysis").modes;
     modes.iter().find(|mode| mode.naming.name == name).expect("the mode").clone()
-}
-
-fn value(harness: &Page, key: &str) -> f64 {
-    Parameter::find(key).expect("a row").get(app(harness).scenario())
 }
 
 /// Where a pole that can be reached by keyboard is on the screen.

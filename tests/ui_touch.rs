@@ -1,39 +1,21 @@
 //! The page under fingers, as a browser tells of them: what scrolls, and what they work on.
 
+mod page;
+
 use egui::accesskit::{Role, Toggled};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use eigenwing::scenario::{Parameter, Scenario};
-use eigenwing::ui::App;
+use eigenwing::scenario::Scenario;
+use page::{PHONE, Page, TABLET, app, page, value};
 
-const TABLET: Vec2 = Vec2::new(1024.0, 768.0);
-const PHONE: Vec2 = Vec2::new(390.0, 844.0);
 /// A phone that lies on its side, or a page zoomed to twice its size.
 const LOW: Vec2 = Vec2::new(720.0, 450.0);
 
 const UP: Vec2 = Vec2::new(6.0, -90.0);
 const SIDEWAYS: Vec2 = Vec2::new(-60.0, 8.0);
 
-type Page = Harness<'static, Option<App>>;
-
-fn page(size: Vec2) -> Page {
-    let mut harness = Harness::builder().with_size(size).build_ui_state(
-        |ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| App::new(ui.ctx()).expect("an aircraft")).ui(ui)
-        },
-        None,
-    );
-    harness.run();
-    harness
-}
-
 fn scenario(page: &Page) -> &Scenario {
-    page.state().as_ref().expect("the page has been drawn").scenario()
-}
-
-fn value(page: &Page, key: &str) -> f64 {
-    Parameter::find(key).expect("a row").get(scenario(page))
+    app(page).scenario()
 }
 
 fn rect(page: &Page, words: &str) -> Rect {

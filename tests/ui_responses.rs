@@ -1,0 +1,173 @@
+//! The responses by role and name: what disturbs, how the motion is shown, and what is said of it.
+
+mod page;
+
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into};
+
+fn motion(harness: &page::Page) -> eigenwing::flight::analysis::Motion {
+    let analysis = app(harness).analysis().expect("a frame has been drawn").as_ref().expect("an analysis");
+    analysis.motion.clone().expect("a motion")
+}
+
+#[test]
+fn each_disturbance_can_be_chosen_and_sized() {
+    let mut harness = page(WIDE);
+    for (source, shape, field) in [
+        ("Elevator", Some("pulse"), "elevator pulse in deg"),
+        ("Elevator", Some("doublet"), "length of a part in s"),
+        ("Throttle", Some("3-2-1-1"), "throttle in % of weight"),
+        ("Elevator", Some("sine"), "frequency in rad/s"),
+        ("Elevator", Some("sweep"), "frequency at the end of the sweep in rad/s"),
+        ("Vertical gust", Some("1 − cosine"), "speed of the rising air in m/s"),
+        ("Head gust", Some("step"), "speed of the air from ahead in m/s"),
+        ("Turbulence", None, "strength of the turbulence in m/s"),
+        ("Released from", None, "pitch rate at release in deg/s"),
+        ("One mode", None, "size of the mode in deg"),
+        ("Elevator", Some("step"), "factor on the disturbance"),
+    ] {
+        choose(&mut harness, "Disturbance", source);
+        if let Some(shape) = shape {
+            choose(&mut harness, "Shape of the disturbance", shape);
+        }
+        let before = motion(&harness);
+        type_into(&mut harness, field, "2.5");
+        assert!(motion(&harness) != before, "{source} {shape:?}");
+    }
+}
+
+#[test]
+fn one_mode_alone_is_chosen_by_name() {
+    let mut harness = page(WIDE);
+    choose(&mut harness, "Disturbance", "One mode");
+    let before = motion(&harness);
+    choose(&mut harness, "Mode flown alone", "Phugoid");
+    assert!(motion(&harness) != before);
+}
+
+#[test]
+fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_figures() {
+    for size in [WIDE, TABLET, PHONE] {
+        let mut harness = page(size);
+        if size == PHONE {
+            harness.get_by_role_and_label(Role::Button, "Response").click();
+            harness.run();
+        }
+        harness.get_by_label_contains("Δu in m/s against time");
+        harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
+        harness.run();
+        harness.get_by_label_contains("Δu in m/s against time: between 0 and 10.9");
+        let least = if size == PHONE { 1 } else { 4 };
+        assert!(harness.query_all_by_label_contains("with Short period, Phugoid").count() >= least, "{size}");
+        harness.get_by_role_and_label(Role::Button, "Phase").click();
+        harness.run();
+        harness.get_by_label_contains("q in deg/s against Δα");
+        choose(&mut harness, "Left portrait, upward", "Δh · height gained");
+        harness.get_by_label_contains("Δh in m against Δα");
+        harness.get_by_role_and_label(Role::Button, "Frequency").click();
+        harness.run();
+        harness.get_by_label_contains("Short period peak: 2.54 deg/s per deg at 3.14 rad/s");
+        choose(&mut harness, "Output of the frequency response", "Δn_z · normal load factor");
+        harness.get_by_label_contains("dB of g per deg");
+        harness.get_by_role_and_label(Role::Button, "Figures").click();
+        harness.run();
+        harness.get_by_label_contains("Phugoid, first swing of the height");
+    }
+}
+
+/// The whole text of the first label that has these words in it.
+fn said(harness: &page::Page, words: &str) -> String {
+    let node = harness.query_all_by_label_contains(words).next().expect("a label");
+    let node = node.accesskit_node();
+    node.label().or_else(|| node.value()).unwrap_or_default()
+}
+
+#[test]
+fn figures_end_where_the_linear_model_does() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&cm_q=9.96&cl_alpha=2&time=60&tab=figures");
+    let end = motion(&harness).small_until.expect("it grows");
+    assert!(end < 30.0, "{end}");
+    let line = said(&harness, "Largest change of load factor");
+    let time = line.trim_end_matches(" s").rsplit(' ').next().expect("a time");
+    assert!(time.parse::<f64>().expect("a number") <= end + 0.06, "{line}, linear until {end}");
+}
+
+#[test]
+fn in_turbulence_figures_are_averages() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&tab=figures");
+    assert_eq!(harness.query_all_by_label_contains("first swing").count(), 1);
+    assert_eq!(harness.query_all_by_label("r.m.s.").count(), 0);
+    open(&mut harness, "v=1&ac=navion&lon.source=turbulence&tab=figures");
+    assert_eq!(harness.query_all_by_label_contains("first swing").count(), 0);
+    assert_eq!(harness.query_all_by_label("r.m.s.").count(), 1);
+    assert_eq!(harness.query_all_by_label("Rise").count(), 0);
+}
+
+#[test]
+fn a_legend_names_every_line_that_is_drawn_and_no_other() {
+    for size in [WIDE, PHONE] {
+        let mut harness = page(size);
+        if size == PHONE {
+            harness.get_by_role_and_label(Role::Button, "Response").click();
+            harness.run();
+        }
+        let legend = |harness: &page::Page| said(harness, "Legend: ");
+        assert_eq!(legend(&harness), "Legend: linear, full line");
+        harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
+        harness.get_by_role_and_label(Role::CheckBox, "Nonlinear").click();
+        harness.get_by_label_contains("Pin this state").click();
+        harness.run();
+        let all = "Legend: linear, full line; nonlinear, dotted; pinned, dashed; Short period, filled; \
+                   Phugoid, filled; no mode: input and drift, filled";
+        assert_eq!(legend(&harness), all);
+        harness.get_by_role_and_label(Role::Button, "Frequency").click();
+        harness.run();
+        let frequency = "Legend: linear, full line; pinned, dashed; ωₙ of Short period, upright line; \
+                         ωₙ of Phugoid, upright line";
+        assert_eq!(legend(&harness), frequency);
+        let node = harness.get_by_label(frequency).rect();
+        assert!(node.left() >= 0.0 && node.right() <= size.x, "{size}: {node}");
+        harness.get_by_role_and_label(Role::Button, "Phase").click();
+        harness.run();
+        assert!(legend(&harness).ends_with("; steady flight, dot"), "{}", legend(&harness));
+    }
+}
+
+#[test]
+fn over_frequency_a_growing_mode_has_no_peak_but_a_warning() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&cm_q=9.96&cl_alpha=2&tab=frequency");
+    harness.get_by_label_contains("Short period grows: no steady oscillation ever answers a sine");
+    assert_eq!(harness.query_all_by_label_contains(" peak: ").count(), 0);
+    open(&mut harness, "v=1&ac=navion&tab=frequency");
+    assert_eq!(harness.query_all_by_label_contains("grows: ").count(), 0);
+    assert!(harness.query_all_by_label_contains(" peak: ").count() > 0);
+}
+
+#[test]
+fn which_outputs_are_shown_can_be_chosen() {
+    let mut harness = page(WIDE);
+    assert_eq!(harness.query_all_by_label_contains("Δn_z in g").count(), 0);
+    harness.get_by_role_and_label(Role::Button, "Quantities shown").click();
+    harness.run();
+    harness.get_by_label("Δn_z · normal load factor").click();
+    harness.run();
+    harness.get_by_label_contains("Δn_z in g against time");
+}
+
+#[test]
+fn nonlinear_flight_is_drawn_beside_the_linear_motion_and_says_where_it_ends() {
+    let mut harness = page(WIDE);
+    let computations = app(&harness).computations();
+    harness.get_by_role_and_label(Role::CheckBox, "Nonlinear").click();
+    harness.run();
+    assert!(harness.query_all_by_label_contains("with nonlinear").count() >= 5);
+    type_into(&mut harness, "factor on the disturbance", "15");
+    harness.get_by_label_contains("Nonlinear flight ends: at ");
+    assert_eq!(app(&harness).computations(), computations + 1, "only the new size");
+    choose(&mut harness, "Aircraft", "Lesson 4, as printed");
+    harness.get_by_label_contains("No nonlinear flight: this aircraft is given by its matrices");
+}
