@@ -357,6 +357,19 @@ impl Page {
             typed::hear(key, &mut self.events);
             return self.ctx.request_repaint();
         }
+        let is_enter = || event.dyn_ref::<KeyboardEvent>().is_some_and(|key| key.key() == "Enter");
+        let ends = match event.type_().as_str() {
+            "focusout" => true,
+            "change" => kind.is_typed(),
+            "keydown" => kind.is_typed() && is_enter(),
+            _ => false,
+        };
+        if ends {
+            // As Enter or Tab would do in egui: what was typed counts from here.
+            shown.finish_typing();
+            self.left = Some(id);
+            return self.ctx.request_repaint();
+        }
         let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
         let (action, data) = match (event.type_().as_str(), kind) {
             ("focusin", kind) if shown.picture.focusable => {
@@ -364,12 +377,6 @@ impl Page {
                     shown.begin_typing();
                 }
                 (Action::Focus, None)
-            }
-            ("focusout", _) | ("change", Kind::SpinButton | Kind::Text) => {
-                // As Enter or Tab would do in egui: what was typed counts from here.
-                shown.finish_typing();
-                self.left = Some(id);
-                return self.ctx.request_repaint();
             }
             ("click", kind) if kind.is_pressed() => {
                 // egui closes a list only when the pointer clicks in it.

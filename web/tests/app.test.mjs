@@ -162,6 +162,13 @@ test("an absurd number is refused with a sentence beside the field and nothing i
   await page.keyboard.press("Enter");
   await page.getByText(/is beyond anything meaningful here/).first().waitFor({ state: "attached" });
   assert.deepEqual((await state()).parameters, before.parameters);
+  // The same by a screen reader, which writes into the element.
+  await field.fill("banana");
+  // Enter comes in a later frame, as from a person.
+  await sleep(500);
+  await field.press("Enter");
+  await page.getByText(/banana/).first().waitFor({ state: "attached" });
+  assert.deepEqual((await state()).parameters, before.parameters);
 });
 
 test("each disturbance has its own response, and a gust is not an elevator pulse", async (t) => {
