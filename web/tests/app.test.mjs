@@ -162,12 +162,18 @@ test("an absurd number is refused with a sentence beside the field and nothing i
   await page.keyboard.press("Enter");
   await page.getByText(/is beyond anything meaningful here/).first().waitFor({ state: "attached" });
   assert.deepEqual((await state()).parameters, before.parameters);
-  // The same by a screen reader, which writes into the element.
+});
+
+test("a screen reader that writes no number is told so on Enter", async (t) => {
+  const { page, ready, state } = await open(t);
+  await ready();
+  const before = await state();
+  const field = page.getByRole("textbox", { name: "pitch stiffness C_mα, typed" });
   await field.fill("banana");
   // Enter comes in a later frame, as from a person.
-  await sleep(500);
+  await sleep(700);
   await field.press("Enter");
-  await page.getByText(/banana/).first().waitFor({ state: "attached" });
+  await page.getByText(/“banana” is not a number/).first().waitFor({ state: "attached" });
   assert.deepEqual((await state()).parameters, before.parameters);
 });
 
