@@ -35,6 +35,8 @@ pub struct Model {
     fixed: Tree,
     moving: Vec<Moving>,
     propellers: Vec<Propeller>,
+    /// Of all faces but those of propellers.
+    triangles: usize,
     cg: [f32; 2],
     /// Least and greatest x, y, z of what is fixed or undeflected \[m\].
     low: Point,
@@ -96,7 +98,10 @@ impl Model {
         if low.x > high.x {
             (low, high) = (-Point::repeat(0.5), Point::repeat(0.5));
         }
-        Self { fixed: Tree::new(fixed), moving, propellers, cg: shape.cg, low, high }
+        let fixed = Tree::new(fixed);
+        let loose = moving.iter().flat_map(|part| &part.faces).map(|face| face.vertices.len() - 2);
+        let triangles = fixed.triangles() + loose.sum::<usize>();
+        Self { fixed, moving, propellers, triangles, cg: shape.cg, low, high }
     }
 
     /// Visits the faces that an eye may see, farthest first; the eye in body axes \[m\].
@@ -127,9 +132,8 @@ impl Model {
     }
 
     /// Triangles of all faces, seen or not.
-    pub fn triangles(&self) -> usize {
-        let moving = self.moving.iter().flat_map(|part| &part.faces).map(|face| face.vertices.len() - 2);
-        self.fixed.triangles() + moving.sum::<usize>()
+    pub const fn triangles(&self) -> usize {
+        self.triangles
     }
 }
 

@@ -98,7 +98,7 @@ impl Ground {
 
     /// How clearly something on it is seen: 1 near, 0 as far as fields go.
     fn clearness(&self, p: &Point) -> f32 {
-        let far = p.x.hypot(p.y) / (self.field * FIELDS as f32);
+        let far = p.xy().norm() / (self.field * FIELDS as f32);
         (1.0 - far).clamp(0.0, 1.0).powi(2)
     }
 }

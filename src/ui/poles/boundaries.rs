@@ -17,14 +17,16 @@ const HATCH: (f32, f32) = (7.0, 6.0);
 const ON_AXIS: f32 = 30.0;
 
 /// A boundary on the screen.
-struct Drawn {
+pub struct Drawn<'a> {
+    boundary: &'a Boundary,
     /// Its visible parts.
     parts: Vec<Vec<Pos2>>,
     /// Towards the failing side, at a point.
     fails: Box<dyn Fn(Pos2) -> Vec2>,
 }
 
-fn drawn(boundary: &Boundary, chart: &Chart) -> Drawn {
+/// Where a boundary is on the map.
+pub fn drawn<'a>(boundary: &'a Boundary, chart: &Chart) -> Drawn<'a> {
     let origin = chart.position(Complex::from(0.0));
     // Towards larger ζ, ωₙ or σ.
     let outward: Box<dyn Fn(Pos2) -> Vec2>;
@@ -54,7 +56,7 @@ fn drawn(boundary: &Boundary, chart: &Chart) -> Drawn {
         }
     };
     let sign = if boundary.above { -1.0 } else { 1.0 };
-    Drawn { parts, fails: Box::new(move |at| sign * outward(at)) }
+    Drawn { boundary, parts, fails: Box::new(move |at| sign * outward(at)) }
 }
 
 fn strength(level: Level) -> f32 {
@@ -66,23 +68,17 @@ fn strength(level: Level) -> f32 {
 }
 
 /// Draws the lines.
-pub fn draw<'a>(
-    painter: &Painter,
-    chart: &Chart,
-    palette: &Palette,
-    boundaries: impl Iterator<Item = &'a Boundary>,
-) {
-    for boundary in boundaries {
+pub fn draw(painter: &Painter, palette: &Palette, lines: &[Drawn<'_>]) {
+    for Drawn { boundary, parts, fails } in lines {
         let color = palette.mode(boundary.criterion.concerns()).gamma_multiply(strength(boundary.level));
-        let Drawn { parts, fails } = drawn(boundary, chart);
         let hatch = Stroke::new(1.0, color.gamma_multiply(0.7));
         for part in parts {
-            for at in spaced(&part, HATCH.0) {
+            for at in spaced(part, HATCH.0) {
                 let across = fails(at);
                 let along = Vec2::new(-across.y, across.x);
                 painter.line_segment([at, at + HATCH.1 * (across + 0.6 * along)], hatch);
             }
-            painter.add(Shape::line(part, Stroke::new(1.4, color)));
+            painter.add(Shape::line(part.clone(), Stroke::new(1.4, color)));
         }
     }
 }
@@ -104,15 +100,9 @@ pub fn spaced(line: &[Pos2], distance: f32) -> Vec<Pos2> {
 }
 
 /// Keeps labels off the lines.
-pub fn keep_clear<'a>(
-    chart: &Chart,
-    placement: &mut Placement,
-    boundaries: impl Iterator<Item = &'a Boundary>,
-) {
-    for boundary in boundaries {
-        for at in drawn(boundary, chart).parts.iter().flat_map(|part| spaced(part, 8.0)) {
-            placement.keep_clear(Rect::from_center_size(at, Vec2::splat(5.0)));
-        }
+pub fn keep_clear(placement: &mut Placement, lines: &[Drawn<'_>]) {
+    for at in lines.iter().flat_map(|line| &line.parts).flat_map(|part| spaced(part, 8.0)) {
+        placement.keep_clear(Rect::from_center_size(at, Vec2::splat(5.0)));
     }
 }
 
@@ -136,17 +126,10 @@ pub fn text(boundary: &Boundary) -> String {
 }
 
 /// Writes what each line is, beside it on the side that keeps the limit, where there is room.
-pub fn labels<'a>(
-    painter: &Painter,
-    chart: &Chart,
-    palette: &Palette,
-    placement: &mut Placement,
-    boundaries: impl Iterator<Item = &'a Boundary>,
-) {
-    for boundary in boundaries {
+pub fn labels(painter: &Painter, palette: &Palette, placement: &mut Placement, lines: &[Drawn<'_>]) {
+    for Drawn { boundary, parts, fails } in lines {
         let color = palette.mode_text(boundary.criterion.concerns());
         let galley = painter.layout_no_wrap(text(boundary), FontId::proportional(10.0), color);
-        let Drawn { parts, fails } = drawn(boundary, chart);
         let place = |at: Pos2| {
             let keeps = -fails(at);
             let half = 0.5 * galley.size();

@@ -108,15 +108,15 @@ impl Map<'_> {
         };
         ui.painter().text(caption, Align2::LEFT_CENTER, name, theme::small(), palette.weak);
         let painter = ui.painter_at(rect);
-        let home = || self.boundaries(extras.boundaries);
+        let levels: Vec<_> =
+            self.boundaries(extras.boundaries).map(|boundary| boundaries::drawn(boundary, chart)).collect();
+        let paths = seen.locus.map_or_else(Vec::new, |(_, locus)| marks::paths(chart, locus));
         grid::draw(&painter, self.name, chart, palette);
-        boundaries::draw(&painter, chart, palette, home());
+        boundaries::draw(&painter, palette, &levels);
         if let Some(inset) = extras.inset {
             frame(&painter, chart, palette, inset);
         }
-        if let Some((_, locus)) = seen.locus {
-            marks::path(&painter, chart, palette, locus);
-        }
+        marks::dotted(&painter, palette, &paths);
         extras.trail.draw(&painter, chart, palette);
         for mode in seen.ghost.into_iter().flatten() {
             marks::ring(&painter, chart, mode.lambda, palette.ghost);
@@ -143,15 +143,13 @@ impl Map<'_> {
         let mut placement = self.occupied(chart, &others);
         let written = grid::scale(&painter, chart, palette, &mut placement);
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
-        boundaries::keep_clear(chart, &mut placement, home());
-        if let Some((_, locus)) = seen.locus {
-            marks::shun_path(chart, &mut placement, locus);
-        }
+        boundaries::keep_clear(&mut placement, &levels);
+        marks::shun(&mut placement, &paths);
         stood.rests = !ui.input(|input| input.pointer.any_down());
         for label in self.labels(&painter, palette, chart, &mut placement, extras.inset, stood) {
             label.draw(&painter, palette.mode(self.modes[label.mode].naming.name));
         }
-        boundaries::labels(&painter, chart, palette, &mut placement, home());
+        boundaries::labels(&painter, palette, &mut placement, &levels);
         grid::labels(&painter, chart, palette, &mut placement, written);
         ui.painter().rect_stroke(rect, 4.0, Stroke::new(1.0, palette.hairline), StrokeKind::Inside);
     }

@@ -58,30 +58,35 @@ pub fn approximated(
     approximations.iter().filter(|a| a.name.is_principal()).filter_map(|a| Some((a, a.root()?)))
 }
 
-/// The path of each pole in the colour of its mode, dotted, broken where there is no such aircraft.
-pub fn path(painter: &Painter, chart: &Chart, palette: &Palette, locus: &Locus) {
-    for (name, part) in parts(chart, locus) {
-        let color = name.map_or(palette.ghost, |name| palette.mode(name)).gamma_multiply(0.65);
-        painter.extend(Shape::dotted_line(&part, color, 4.0, 1.1));
-    }
-}
+/// What is to be seen of a pole's path, and the name of its mode at the reference value.
+pub type Path = (Option<ModeName>, Vec<Pos2>);
 
-/// Keeps labels off the paths, where there is room elsewhere.
-pub fn shun_path(chart: &Chart, placement: &mut Placement, locus: &Locus) {
-    for at in parts(chart, locus).flat_map(|(_, part)| spaced(&part, 6.0)) {
-        placement.shun(Rect::from_center_size(at, Vec2::splat(3.0)));
-    }
-}
-
-/// What is to be seen of each pole's path, with the name of its mode.
-fn parts(chart: &Chart, locus: &Locus) -> impl Iterator<Item = (Option<ModeName>, Vec<Pos2>)> {
-    locus.names.iter().enumerate().flat_map(move |(branch, name)| {
+/// What is to be seen of each pole's path, broken where there is no such aircraft.
+pub fn paths(chart: &Chart, locus: &Locus) -> Vec<Path> {
+    let of_branch = |(branch, name): (usize, &Option<ModeName>)| {
+        let name = *name;
         let runs = locus.samples.split(|sample| sample.poles.is_none());
         runs.flat_map(move |run| {
             let poles = run.iter().filter_map(|sample| sample.poles).map(move |poles| poles[branch]);
-            chart.clipped(poles).into_iter().map(|part| (*name, part))
+            chart.clipped(poles).into_iter().map(move |part| (name, part))
         })
-    })
+    };
+    locus.names.iter().enumerate().flat_map(of_branch).collect()
+}
+
+/// Draws paths dotted, each in the colour of its mode.
+pub fn dotted(painter: &Painter, palette: &Palette, paths: &[Path]) {
+    for (name, path) in paths {
+        let color = name.map_or(palette.ghost, |name| palette.mode(name)).gamma_multiply(0.65);
+        painter.extend(Shape::dotted_line(path, color, 4.0, 1.1));
+    }
+}
+
+/// Keeps labels off paths, where there is room elsewhere.
+pub fn shun(placement: &mut Placement, paths: &[Path]) {
+    for at in paths.iter().flat_map(|(_, path)| spaced(path, 6.0)) {
+        placement.shun(Rect::from_center_size(at, Vec2::splat(3.0)));
+    }
 }
 
 /// Where a drag wants the pole that could not follow: a dashed ring, and a dashed line to it.

@@ -1,6 +1,6 @@
 //! Where the poles came from while a person moved something.
 
-use egui::{Key, Painter, Shape, Stroke, Ui};
+use egui::{Key, Painter, Rect, Shape, Stroke, Ui};
 use nalgebra::Complex;
 
 use super::chart::Chart;
@@ -69,8 +69,9 @@ impl Trail {
                 let Some(there) = before(&pair[0], *name, *here, NEAR * chart.per_point()) else { continue };
                 let stroke = Stroke::new(2.0, palette.mode(*name).gamma_multiply(strength));
                 for side in [|z: Complex<f64>| z, |z: Complex<f64>| z.conj()] {
-                    for part in chart.clipped([side(there), side(*here)]) {
-                        shapes.push(Shape::line(part, stroke));
+                    let ends = [there, *here].map(|pole| chart.position(side(pole)));
+                    if chart.rect.expand(3.0).intersects(Rect::from_two_pos(ends[0], ends[1])) {
+                        shapes.push(Shape::line_segment(ends, stroke));
                     }
                 }
             }

@@ -105,7 +105,11 @@ impl<'a> Picture<'a> {
     fn range(&self, coordinate: impl Fn(&PlotPoint) -> f64) -> RangeInclusive<f64> {
         let all = self.curves.iter().flat_map(Curve::drawn_part).map(coordinate);
         let start = if self.with_zero { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
-        let (low, high) = all.fold(start, |(low, high), value| (low.min(value), high.max(value)));
+        // Comparisons, since `f64::min` is a call of a function in a browser.
+        let widened = |(low, high): (f64, f64), value: f64| {
+            (if value < low { value } else { low }, if value > high { value } else { high })
+        };
+        let (low, high) = all.fold(start, widened);
         if high - low <= 1e-12 {
             let middle = if low.is_finite() { low } else { 0.0 };
             return middle - 1.0..=middle + 1.0;

@@ -27,8 +27,9 @@ pub fn thin(points: &[PlotPoint], scale: Vec2) -> Vec<PlotPoint> {
             way = between(from, point, scale);
         }
         // A point that can't be told from where the line starts says nothing of where it leads.
-        if way.length() > TOLERANCE {
-            cone = Some(Cone::around(way).narrowed(cone));
+        let square = way.length_sq();
+        if square > TOLERANCE * TOLERANCE {
+            cone = Some(Cone::around(way, square).narrowed(cone));
         }
         last = point;
     }
@@ -46,19 +47,20 @@ fn between(from: PlotPoint, to: PlotPoint, scale: Vec2) -> Vec2 {
 struct Cone {
     /// Its right and left edge.
     edges: (Vec2, Vec2),
-    /// How far it has led.
-    length: f32,
+    /// Square of how far it has led.
+    square: f32,
 }
 
 impl Cone {
-    fn around(way: Vec2) -> Self {
-        let aside = way.rot90() * (TOLERANCE / way.length());
+    fn around(way: Vec2, square: f32) -> Self {
+        // `Vec2::length` is hypot, which takes longer in a browser than all the rest.
+        let aside = way.rot90() * (TOLERANCE / square.sqrt());
         // rot90 turns to the side on which the cross product with `way` is negative.
-        Self { edges: (way + aside, way - aside), length: way.length() }
+        Self { edges: (way + aside, way - aside), square }
     }
 
     fn holds(&self, way: Vec2) -> bool {
-        cross(self.edges.0, way) >= 0.0 && cross(way, self.edges.1) >= 0.0 && way.length() >= self.length
+        way.length_sq() >= self.square && cross(self.edges.0, way) >= 0.0 && cross(way, self.edges.1) >= 0.0
     }
 
     /// What it has in common with one that holds its middle.
@@ -66,7 +68,7 @@ impl Cone {
         let Some(by) = by else { return self };
         let right = if cross(by.edges.0, self.edges.0) > 0.0 { self.edges.0 } else { by.edges.0 };
         let left = if cross(self.edges.1, by.edges.1) > 0.0 { self.edges.1 } else { by.edges.1 };
-        Self { edges: (right, left), length: self.length }
+        Self { edges: (right, left), square: self.square }
     }
 }
 
