@@ -7,7 +7,7 @@ use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, input_words, units};
 use super::time::grid;
-use super::{index, note_ui, output_ui};
+use super::{Basis, index, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
 use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
 use crate::flight::modes::{DynamicStability, Mode};
@@ -26,23 +26,34 @@ const POINTS: usize = 400;
 pub struct FrequencyPlots {
     /// The output watched, of each plane.
     pub outputs: [Output; 2],
-    gain: SmallPlot,
-    phase: SmallPlot,
+    plots: [SmallPlot; 2],
+    sheet: Option<((Basis, Output), Sheet)>,
 }
 
 impl Default for FrequencyPlots {
     fn default() -> Self {
         let outputs = Sight::default().frequency_of;
-        Self { outputs, gain: SmallPlot::default(), phase: SmallPlot::default() }
+        Self { outputs, plots: Default::default(), sheet: None }
     }
 }
 
+/// What the plots show, and what is said of it.
+#[derive(Debug)]
+struct Sheet {
+    bode: Bode,
+    pictures: [Picture; 2],
+    entries: Vec<Entry>,
+}
+
 /// A frequency response in shown units.
+#[derive(Debug)]
 struct Bode {
     points: Vec<FrequencyPoint>,
     peaks: Vec<Peak>,
     /// Output over input: one shown unit of gain in SI.
     unit: f64,
+    /// Symbols of the units of output and input.
+    symbols: (&'static str, &'static str),
 }
 
 impl FrequencyPlots {
@@ -63,21 +74,32 @@ impl FrequencyPlots {
     ) {
         let palette = Palette::of(ui);
         let output = self.outputs[index(studied.plane())];
-        let channel = studied.scenario.driven_channel();
-        let (input, _, dimension, _) = input_words(studied.plane(), channel);
+        let key = (Basis::of(studied, ghost, palette), output);
+        let Sheet { bode, pictures, entries } =
+            kept(&mut self.sheet, key, || Sheet::of(studied, ghost, palette, output));
+        match unsteady(studied.modes) {
+            Some(growing) => note_ui(ui, &growing),
+            None => peaks_ui(ui, bode),
+        }
+        if let Some(growing) = ghost.and_then(|ghost| unsteady(ghost.modes)) {
+            note_ui(ui, &format!("Pinned: {growing}"));
+        }
+        legend::legend_ui(ui, entries, beside);
+        let places = grid(ui, pictures.len(), rows);
+        for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
+            plot.show(ui, place, picture, None);
+        }
+    }
+}
+
+impl Sheet {
+    fn of(studied: Studied<'_>, ghost: Option<Studied<'_>>, palette: &Palette, output: Output) -> Self {
+        let (input, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
         let (quantity, unit, _) = units(output, studied.scenario);
         let input_unit = dimension.symbol(LengthUnit::Metre);
         let range = frequency_range(studied.modes);
         let pinned = ghost.map(|ghost| bode(ghost, output, range));
         let bode = bode(studied, output, range);
-        if let Some(growing) = unsteady(studied.modes) {
-            note_ui(ui, &growing);
-        } else {
-            peaks_ui(ui, &bode, unit, input_unit);
-        }
-        if let Some(growing) = ghost.and_then(|ghost| unsteady(ghost.modes)) {
-            note_ui(ui, &format!("Pinned: {growing}"));
-        }
 
         let decibels = |bode: &Bode, name, color, stroke| {
             curve(bode, name, color, stroke, |point| 20.0 * (point.value.norm() / bode.unit).log10())
@@ -92,20 +114,19 @@ impl FrequencyPlots {
             }
             curves
         };
-        let gain_unit = format!("dB of {unit} per {input_unit}");
         let symbol = format!("{}/{input}", quantity.symbol);
         let uprights: Vec<_> = studied
             .modes
             .iter()
             .filter_map(|mode| Some((mode.natural_frequency()?.log10(), palette.mode(mode.naming.name))))
             .collect();
-        let picture = |unit, curves, with_zero| Picture {
+        let picture = |unit: String, curves| Picture {
             against: ("ω", "rad/s"),
             uprights: uprights.clone(),
             x_range: Some(range.0.log10()..=range.1.log10()),
             logarithmic: true,
-            with_zero,
-            ..Picture::of_time(&symbol, unit, curves)
+            with_zero: false,
+            ..Picture::of_time(symbol.as_str(), unit, curves)
         };
         let dots = bode
             .peaks
@@ -115,8 +136,9 @@ impl FrequencyPlots {
                 (PlotPoint::new(peak.frequency.log10(), gain), palette.mode(peak.mode))
             })
             .collect();
-        let gain = Picture { dots, ..picture(&gain_unit, with_ghost(&decibels), false) };
-        let phase = Picture { names_axis: true, ..picture("deg", with_ghost(&degrees), false) };
+        let gain_unit = format!("dB of {unit} per {input_unit}");
+        let gain = Picture { dots, ..picture(gain_unit, with_ghost(&decibels)) };
+        let phase = Picture { names_axis: true, ..picture("deg".to_owned(), with_ghost(&degrees)) };
         let pictures = [gain, phase];
         let mut entries = legend::curves(&pictures);
         entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
@@ -125,11 +147,7 @@ impl FrequencyPlots {
                 mark: Mark::Upright, color: palette.mode(name), name: format!("ωₙ of {}", name.text())
             }
         }));
-        legend::legend_ui(ui, &entries, beside);
-        let [gain, phase] = pictures;
-        let places = grid(ui, 2, rows);
-        self.gain.show(ui, places[0], &gain, None);
-        self.phase.show(ui, places[1], &phase, None);
+        Self { bode, pictures, entries }
     }
 }
 
@@ -151,8 +169,9 @@ fn bode(studied: Studied<'_>, output: Output, range: (f64, f64)) -> Bode {
         peaks.clear();
     }
     let (_, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
-    let (_, _, unit) = units(output, studied.scenario);
-    Bode { points, peaks, unit: unit / dimension.in_si(LengthUnit::Metre) }
+    let (_, symbol, unit) = units(output, studied.scenario);
+    let symbols = (symbol, dimension.symbol(LengthUnit::Metre));
+    Bode { points, peaks, unit: unit / dimension.in_si(LengthUnit::Metre), symbols }
 }
 
 fn curve(
@@ -165,11 +184,12 @@ fn curve(
     let point =
         |point: &FrequencyPoint| PlotPoint::new(point.frequency.log10(), value(point).clamp(-400.0, 4e4));
     let points: Vec<PlotPoint> = bode.points.iter().map(point).collect();
-    Curve { name, drawn: points.len(), points, color, stroke }
+    Curve::new(name, points, color, stroke)
 }
 
-fn peaks_ui(ui: &mut Ui, bode: &Bode, unit: &str, input_unit: &str) {
+fn peaks_ui(ui: &mut Ui, bode: &Bode) {
     let palette = Palette::of(ui);
+    let (unit, input_unit) = bode.symbols;
     ui.horizontal_wrapped(|ui| {
         if bode.peaks.is_empty() {
             ui.label(

@@ -50,7 +50,7 @@ pub struct Entry {
 }
 
 /// The curves of all pictures, each name once: first the whole motions, then the parts.
-pub fn curves(pictures: &[Picture<'_>]) -> Vec<Entry> {
+pub fn curves(pictures: &[Picture]) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for curve in pictures.iter().flat_map(|picture| &picture.curves) {
         if !entries.iter().any(|entry| entry.name == curve.name) {

@@ -126,6 +126,35 @@ impl Responses {
     }
 }
 
+/// What pictures are made of: they stay the same as long as it does.
+#[derive(Clone, Debug, PartialEq)]
+struct Basis {
+    scenario: Scenario,
+    pinned: Option<Scenario>,
+    is_flown: bool,
+    palette: &'static Palette,
+}
+
+impl Basis {
+    fn of(studied: Studied<'_>, ghost: Option<Studied<'_>>, palette: &'static Palette) -> Self {
+        Self {
+            scenario: studied.scenario.clone(),
+            pinned: ghost.map(|ghost| ghost.scenario.clone()),
+            is_flown: studied.flight.is_some(),
+            palette,
+        }
+    }
+}
+
+/// What was made of `key`; it is made again only where the key has changed.
+fn kept<K: PartialEq, T>(held: &mut Option<(K, T)>, key: K, make: impl FnOnce() -> T) -> &mut T {
+    if held.as_ref().is_some_and(|(of, _)| *of != key) {
+        *held = None;
+    }
+    let (_, made) = held.get_or_insert_with(|| (key, make()));
+    made
+}
+
 /// A line that says what is the matter.
 fn note_ui(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).bad));

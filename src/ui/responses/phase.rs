@@ -7,7 +7,7 @@ use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::time::grid;
-use super::{index, output_ui};
+use super::{Basis, index, kept, output_ui};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::link::Sight;
@@ -20,11 +20,14 @@ pub struct PhasePlots {
     /// (over, of): one for the fast mode, one for the slow.
     pub pairs: [[(Output, Output); 2]; 2],
     plots: [SmallPlot; 2],
+    pictures: Option<(Key, [Picture; 2])>,
 }
+
+type Key = (Basis, [(Output, Output); 2]);
 
 impl Default for PhasePlots {
     fn default() -> Self {
-        Self { pairs: Sight::default().portraits, plots: Default::default() }
+        Self { pairs: Sight::default().portraits, plots: Default::default(), pictures: None }
     }
 }
 
@@ -55,38 +58,18 @@ impl PhasePlots {
     ) {
         let palette = Palette::of(ui);
         let pairs = self.pairs[index(studied.plane())];
-        let mut pictures = Vec::new();
-        for (over, of) in pairs {
-            let (across, across_unit, across_si) = units(over, studied.scenario);
-            let (upward, upward_unit, upward_si) = units(of, studied.scenario);
-            let path = |studied: Studied<'_>, name, color, stroke| {
-                let values = studied.motion.values(over).into_iter().zip(studied.motion.values(of));
-                let points = values.map(|(x, y)| PlotPoint::new(x / across_si, y / upward_si)).collect();
-                Curve { name, points, drawn: studied.small(), color, stroke }
-            };
-            let mut curves = vec![path(studied, "linear", palette.text, Stroke::Full)];
-            if let (Some(x), Some(y)) =
-                (studied.flown(over, across_si, palette), studied.flown(of, upward_si, palette))
-            {
-                let points = x.points.iter().zip(&y.points).map(|(x, y)| PlotPoint::new(x.y, y.y)).collect();
-                curves.push(Curve { points, ..x });
-            }
-            if let Some(ghost) = ghost {
-                curves.push(path(ghost, "pinned", palette.ghost, Stroke::Dashed));
-            }
-            let mut dots = vec![(PlotPoint::new(0.0, 0.0), palette.weak)];
+        let key = (Basis::of(studied, ghost, palette), pairs);
+        let pictures =
+            kept(&mut self.pictures, key, || pairs.map(|pair| portrait(studied, ghost, palette, pair)));
+        for picture in pictures.iter_mut() {
             let now = cursor.and_then(|time| {
                 let k = (time / studied.motion.response.dt).round() as usize;
-                curves[0].points.get(k).copied()
+                picture.curves.first()?.points.get(k).copied()
             });
-            dots.extend(now.map(|place| (place, palette.text)));
-            pictures.push(Picture {
-                against: (across.symbol, across_unit),
-                dots,
-                ..Picture::of_time(upward.symbol, upward_unit, curves)
-            });
+            picture.dots = vec![(PlotPoint::new(0.0, 0.0), palette.weak)];
+            picture.dots.extend(now.map(|place| (place, palette.text)));
         }
-        let mut entries = legend::curves(&pictures);
+        let mut entries = legend::curves(pictures);
         let dot = |color, name: &str| Entry { mark: Mark::Dot, color, name: name.to_owned() };
         entries.push(dot(palette.weak, "steady flight"));
         if pictures.iter().any(|picture| picture.dots.len() > 1) {
@@ -94,8 +77,38 @@ impl PhasePlots {
         }
         legend::legend_ui(ui, &entries, beside);
         let places = grid(ui, pairs.len(), rows);
-        for ((plot, picture), place) in self.plots.iter_mut().zip(&pictures).zip(places) {
+        for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
             plot.show(ui, place, picture, None);
         }
+    }
+}
+
+/// One quantity over another, without its dots.
+fn portrait(
+    studied: Studied<'_>,
+    ghost: Option<Studied<'_>>,
+    palette: &Palette,
+    (over, of): (Output, Output),
+) -> Picture {
+    let (across, across_unit, across_si) = units(over, studied.scenario);
+    let (upward, upward_unit, upward_si) = units(of, studied.scenario);
+    let path = |studied: Studied<'_>, name, color, stroke| {
+        let values = studied.motion.values(over).into_iter().zip(studied.motion.values(of));
+        let points = values.map(|(x, y)| PlotPoint::new(x / across_si, y / upward_si)).collect();
+        Curve::new(name, points, color, stroke).drawn_for(studied.small())
+    };
+    let mut curves = vec![path(studied, "linear", palette.text, Stroke::Full)];
+    if let (Some(x), Some(y)) =
+        (studied.flown(over, across_si, palette), studied.flown(of, upward_si, palette))
+    {
+        let points = x.points.iter().zip(&y.points).map(|(x, y)| PlotPoint::new(x.y, y.y)).collect();
+        curves.push(Curve::new(x.name, points, x.color, x.stroke));
+    }
+    if let Some(ghost) = ghost {
+        curves.push(path(ghost, "pinned", palette.ghost, Stroke::Dashed));
+    }
+    Picture {
+        against: (across.symbol, across_unit),
+        ..Picture::of_time(upward.symbol, upward_unit, curves)
     }
 }

@@ -40,28 +40,51 @@ pub struct Curve {
     /// Its points.
     pub points: Vec<PlotPoint>,
     /// How many of them, from the first, are drawn.
-    pub drawn: usize,
+    drawn: usize,
     /// Its colour.
     pub color: Color32,
     /// How it is drawn.
     pub stroke: Stroke,
+    /// What of it is needed on screen, at the scale at which it was shown last.
+    thinned: Option<(Vec2, Vec<PlotPoint>)>,
 }
 
 impl Curve {
+    /// A curve all of which is drawn.
+    pub fn new(name: &'static str, points: Vec<PlotPoint>, color: Color32, stroke: Stroke) -> Self {
+        Self { name, drawn: points.len(), points, color, stroke, thinned: None }
+    }
+
+    /// The same curve, of which only the first points are drawn.
+    pub fn drawn_for(self, count: usize) -> Self {
+        Self { drawn: count, ..self }
+    }
+
     fn drawn_part(&self) -> &[PlotPoint] {
         &self.points[..self.points.len().min(self.drawn)]
+    }
+
+    /// Finds what is needed on screen, unless that is known.
+    fn thin(&mut self, scale: Vec2) {
+        if self.thinned.as_ref().is_none_or(|(of, _)| *of != scale) {
+            self.thinned = Some((scale, thin(self.drawn_part(), scale)));
+        }
+    }
+
+    fn thinned(&self) -> &[PlotPoint] {
+        self.thinned.as_ref().map_or(&[], |(_, points)| points)
     }
 }
 
 /// What a small plot shows.
-#[derive(Debug)]
-pub struct Picture<'a> {
+#[derive(Clone, Debug)]
+pub struct Picture {
     /// Symbol of the quantity.
-    pub symbol: &'a str,
+    pub symbol: String,
     /// Unit of the quantity.
-    pub unit: &'a str,
+    pub unit: String,
     /// Symbol and unit of the horizontal axis.
-    pub against: (&'a str, &'a str),
+    pub against: (&'static str, &'static str),
     /// The curves; the first is the one whose value the title tells.
     pub curves: Vec<Curve>,
     /// Where nothing is drawn any more, shaded.
@@ -72,33 +95,44 @@ pub struct Picture<'a> {
     pub dots: Vec<(PlotPoint, Color32)>,
     /// Range of the horizontal axis; of the curves where there is none.
     pub x_range: Option<RangeInclusive<f64>>,
+    /// Range of the vertical axis, likewise.
+    pub y_range: Option<RangeInclusive<f64>>,
     /// Whether the horizontal axis is a logarithm to base ten.
     pub logarithmic: bool,
     /// Whether the vertical axis holds zero.
     pub with_zero: bool,
     /// Symbols of the curves, where each is another quantity: the title then names them all.
-    pub quantities: Vec<&'a str>,
+    pub quantities: Vec<&'static str>,
     /// Whether symbol and unit stand at the end of the horizontal axis.
     pub names_axis: bool,
 }
 
-impl<'a> Picture<'a> {
+impl Picture {
     /// Of functions of time.
-    pub fn of_time(symbol: &'a str, unit: &'a str, curves: Vec<Curve>) -> Self {
+    pub fn of_time(symbol: impl Into<String>, unit: impl Into<String>, curves: Vec<Curve>) -> Self {
         Self {
-            symbol,
-            unit,
+            symbol: symbol.into(),
+            unit: unit.into(),
             against: ("t", "s"),
             curves,
             beyond: None,
             uprights: Vec::new(),
             dots: Vec::new(),
             x_range: None,
+            y_range: None,
             logarithmic: false,
             with_zero: true,
             quantities: Vec::new(),
             names_axis: false,
         }
+    }
+
+    /// The ranges of both axes.
+    fn ranges(&mut self) -> (RangeInclusive<f64>, RangeInclusive<f64>) {
+        let x = self.x_range.take().unwrap_or_else(|| self.range(|point| point.x));
+        let y = self.y_range.take().unwrap_or_else(|| self.range(|point| point.y));
+        (self.x_range, self.y_range) = (Some(x.clone()), Some(y.clone()));
+        (x, y)
     }
 
     /// The range of all curves with a margin. What isn't drawn may leave it.
@@ -120,7 +154,7 @@ impl<'a> Picture<'a> {
     }
 
     fn words(&self) -> String {
-        let symbol = Symbol::parse(self.symbol).plain();
+        let symbol = Symbol::parse(&self.symbol).plain();
         let points = self.curves.first().map_or(&[][..], |curve| &curve.points);
         let extreme =
             |pick: fn(f64, f64) -> f64| points.iter().map(|point| point.y).reduce(pick).unwrap_or(0.0);
@@ -151,18 +185,19 @@ impl SmallPlot {
         &mut self,
         ui: &mut Ui,
         rect: Rect,
-        picture: &Picture<'_>,
+        picture: &mut Picture,
         cursor: Option<f64>,
     ) -> Option<f64> {
         let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| at(&curve.points, x));
         title(ui, rect, picture, value);
-        let x = picture.x_range.clone().unwrap_or_else(|| picture.range(|point| point.x));
-        let x = self.x.toward(ui, x);
-        let y = self.y.toward(ui, picture.range(|point| point.y));
+        let (x, y) = picture.ranges();
+        let (x, y) = (self.x.toward(ui, x), self.y.toward(ui, y));
         let frame = Rect::from_min_max(
             rect.min + Vec2::new(GUTTER.x, TITLE_HEIGHT),
             rect.max - Vec2::new(0.0, GUTTER.y),
         );
+        let scale = frame.size() / Vec2::new((x.end() - x.start()) as f32, (y.end() - y.start()) as f32);
+        picture.curves.iter_mut().for_each(|curve| curve.thin(scale));
         let response = draw(ui, frame, picture, (x.clone(), y), cursor);
         theme::focus_ring(ui, &response);
         let held = finger::works_on(ui, &response);
@@ -178,7 +213,7 @@ impl SmallPlot {
 fn draw(
     ui: &mut Ui,
     rect: Rect,
-    picture: &Picture<'_>,
+    picture: &Picture,
     (x, y): (RangeInclusive<f64>, RangeInclusive<f64>),
     cursor: Option<f64>,
 ) -> egui::Response {
@@ -187,8 +222,7 @@ fn draw(
     let vertical = marks(&y, rect.height(), APART.y);
     let name = picture.names_axis.then_some(picture.against);
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical), name);
-    let scale = rect.size() / Vec2::new((x.end() - x.start()) as f32, (y.end() - y.start()) as f32);
-    let id = Id::unique((picture.symbol, picture.unit, picture.against.0));
+    let id = Id::unique((&picture.symbol, &picture.unit, picture.against.0));
     let plot = ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
         theme::still_plot(id, rect).show(ui, |plot| {
             plot.set_plot_bounds_x(x);
@@ -208,8 +242,7 @@ fn draw(
             }
             // The first is drawn last, on top.
             for curve in picture.curves.iter().rev() {
-                let points = PlotPoints::Owned(thin(curve.drawn_part(), scale));
-                let line = Line::new(curve.name, points).color(curve.color);
+                let line = Line::new(curve.name, PlotPoints::Borrowed(curve.thinned())).color(curve.color);
                 let line = match curve.stroke {
                     Stroke::Full => line.width(1.8).allow_band(false),
                     Stroke::Part => line.width(1.3).fill(0.0).fill_alpha(0.12).allow_band(false),
@@ -233,13 +266,12 @@ fn draw(
         })
     });
     let response = plot.inner.response;
-    let words = picture.words();
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, picture.words()));
     response
 }
 
 /// Symbol and unit on the left; on the right the value at the cursor.
-fn title(ui: &Ui, rect: Rect, picture: &Picture<'_>, value: Option<f64>) {
+fn title(ui: &Ui, rect: Rect, picture: &Picture, value: Option<f64>) {
     let palette = Palette::of(ui);
     if !picture.quantities.is_empty() {
         quantities(ui, rect, picture);
@@ -255,9 +287,9 @@ fn title(ui: &Ui, rect: Rect, picture: &Picture<'_>, value: Option<f64>) {
 }
 
 /// The title of a picture of one quantity.
-fn quantity(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
+fn quantity(ui: &Ui, rect: Rect, picture: &Picture) {
     let palette = Palette::of(ui);
-    let mut job = Symbol::parse(picture.symbol).job(15.0, palette.text);
+    let mut job = Symbol::parse(&picture.symbol).job(15.0, palette.text);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     job.append(&format!("  {}", picture.unit), 0.0, weak());
     if picture.against.0 != "t" {
@@ -270,7 +302,7 @@ fn quantity(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
 }
 
 /// The title of a picture of inputs: of each, as far as there is room, a sample of its curve, its symbol and its name.
-fn quantities(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
+fn quantities(ui: &Ui, rect: Rect, picture: &Picture) {
     let palette = Palette::of(ui);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     let several = picture.quantities.len() > 1;
@@ -285,7 +317,7 @@ fn quantities(ui: &Ui, rect: Rect, picture: &Picture<'_>) {
                 job.append(curve.name, if with_symbol { 5.0 } else { 0.0 }, weak());
             }
             if i + 1 == picture.quantities.len() {
-                job.append(picture.unit, 8.0, weak());
+                job.append(&picture.unit, 8.0, weak());
             }
             ui.painter().layout_job(job)
         });

@@ -60,8 +60,7 @@ impl Studied<'_> {
         let values = output.of_flight(&self.motion.model, flight).into_iter().enumerate();
         let points: Vec<PlotPoint> =
             values.map(|(k, value)| PlotPoint::new(k as f64 * flight.dt, value / unit)).collect();
-        let (drawn, color) = (points.len(), palette.nonlinear);
-        Some(Curve { name: "nonlinear", points, drawn, color, stroke: Stroke::Dotted })
+        Some(Curve::new("nonlinear", points, palette.nonlinear, Stroke::Dotted))
     }
 
     /// Why there is no nonlinear flight, or where it ends.
@@ -104,7 +103,7 @@ impl Studied<'_> {
         let dt = self.motion.response.dt;
         let point = |(k, value): (usize, f64)| PlotPoint::new(k as f64 * dt, value / unit);
         let points = values.into_iter().enumerate().map(point).collect();
-        Curve { name, points, drawn: self.small(), color, stroke }
+        Curve::new(name, points, color, stroke).drawn_for(self.small())
     }
 
     /// The inputs as they are, their edges upright, with the symbol of each and the dimension of all; none where nothing moves.
@@ -127,7 +126,7 @@ impl Studied<'_> {
                 times.into_iter().map(|t| PlotPoint::new(t, input.at(t) / unit)).collect();
             let (color, stroke) =
                 if i == 0 { (palette.text, Stroke::Full) } else { (palette.weak, Stroke::Dashed) };
-            curves.push(Curve { name, drawn: points.len(), points, color, stroke });
+            curves.push(Curve::new(name, points, color, stroke));
             symbols.push(symbol);
             shown.get_or_insert(dimension);
         }

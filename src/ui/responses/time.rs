@@ -4,11 +4,12 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::style::StyleModifier;
 use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
-use super::legend;
+use super::legend::{self, Entry};
 use super::plot::{Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
-use super::{index, note_ui, word};
+use super::{Basis, index, kept, note_ui, word};
 use crate::content::LengthUnit;
+use crate::flight::modal_sum::SplitError;
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::Quantity;
@@ -32,12 +33,66 @@ pub struct TimePlots {
     hovered: Option<f64>,
     /// Time of the playback \[s\].
     pub played: Option<f64>,
+    sheet: Option<((Basis, Vec<Output>, bool), Sheet)>,
+}
+
+/// What the plots show.
+#[derive(Debug)]
+struct Sheet {
+    pictures: Vec<Picture>,
+    entries: Vec<Entry>,
+    /// Why the motion isn't split.
+    unsplit: Option<SplitError>,
+}
+
+impl Sheet {
+    fn of(
+        studied: Studied<'_>,
+        ghost: Option<Studied<'_>>,
+        palette: &Palette,
+        chosen: &[Output],
+        split: bool,
+    ) -> Self {
+        let mut pictures: Vec<Picture> = Vec::new();
+        let mut unsplit = None;
+        let duration = studied.duration().max(1e-3);
+        for &output in chosen {
+            let (quantity, symbol, unit) = units(output, studied.scenario);
+            let mut curves = vec![studied.curve(output, unit, Stroke::Full, palette.text)];
+            if split {
+                match studied.parts(output, unit, palette) {
+                    Ok(parts) => curves.extend(parts),
+                    Err(error) => unsplit = Some(error),
+                }
+            }
+            curves.extend(studied.flown(output, unit, palette));
+            if let Some(ghost) = ghost {
+                // The pinned state is drawn in the units of the one on screen.
+                curves.push(ghost.curve(output, unit, Stroke::Dashed, palette.ghost));
+            }
+            let beyond = studied.motion.small_until.map(|time| time..=duration);
+            pictures.push(Picture { beyond, ..Picture::of_time(quantity.symbol, symbol, curves) });
+        }
+        let entries = legend::curves(&pictures);
+        if let Some((quantities, dimension, curves)) = studied.inputs(palette) {
+            let symbol = quantities.first().copied().unwrap_or_default();
+            let unit = dimension.symbol(LengthUnit::Metre);
+            pictures.push(Picture { quantities, ..Picture::of_time(symbol, unit, curves) });
+        }
+        for picture in &mut pictures {
+            picture.x_range = Some(0.0..=duration);
+        }
+        if let Some(last) = pictures.last_mut() {
+            last.names_axis = true;
+        }
+        Self { pictures, entries, unsplit }
+    }
 }
 
 impl Default for TimePlots {
     fn default() -> Self {
         let Sight { shown, split, .. } = Sight::default();
-        Self { chosen: shown, split, plots: Vec::new(), hovered: None, played: None }
+        Self { chosen: shown, split, plots: Vec::new(), hovered: None, played: None, sheet: None }
     }
 }
 
@@ -91,51 +146,18 @@ impl TimePlots {
     ) {
         let palette = Palette::of(ui);
         let chosen = &self.chosen[index(studied.plane())];
-        let mut pictures: Vec<Picture<'_>> = Vec::new();
-        let mut unsplit = None;
-        for &output in chosen {
-            let (quantity, symbol, unit) = units(output, studied.scenario);
-            let mut curves = vec![studied.curve(output, unit, Stroke::Full, palette.text)];
-            if self.split {
-                match studied.parts(output, unit, palette) {
-                    Ok(parts) => curves.extend(parts),
-                    Err(error) => unsplit = Some(error),
-                }
-            }
-            curves.extend(studied.flown(output, unit, palette));
-            if let Some(ghost) = ghost {
-                // The pinned state is drawn in the units of the one on screen.
-                curves.push(ghost.curve(output, unit, Stroke::Dashed, palette.ghost));
-            }
-            pictures.push(Picture::of_time(quantity.symbol, symbol, curves));
-        }
-        let of_motion = pictures.len();
-        let entries = legend::curves(&pictures);
-        if let Some((quantities, dimension, curves)) = studied.inputs(palette) {
-            let symbol = quantities.first().copied().unwrap_or_default();
-            let unit = dimension.symbol(LengthUnit::Metre);
-            pictures.push(Picture { quantities, ..Picture::of_time(symbol, unit, curves) });
-        }
+        let (cursor, before) = (self.cursor(), self.hovered);
+        let key = (Basis::of(studied, ghost, palette), chosen.clone(), self.split);
+        let Sheet { pictures, entries, unsplit } =
+            kept(&mut self.sheet, key, || Sheet::of(studied, ghost, palette, chosen, self.split));
         if let Some(error) = unsplit {
             note_ui(ui, &format!("No split into modes: {error}."));
         }
-        legend::legend_ui(ui, &entries, beside);
-        let duration = studied.duration().max(1e-3);
-        let beyond = studied.motion.small_until.map(|time| time..=duration);
-        for (i, picture) in pictures.iter_mut().enumerate() {
-            picture.x_range = Some(0.0..=duration);
-            if i < of_motion {
-                picture.beyond = beyond.clone();
-            }
-        }
-        if let Some(last) = pictures.last_mut() {
-            last.names_axis = true;
-        }
+        legend::legend_ui(ui, entries, beside);
         let places = grid(ui, pictures.len(), rows);
         self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);
-        let (cursor, before) = (self.cursor(), self.hovered);
         let mut hovered = None;
-        for ((plot, picture), place) in self.plots.iter_mut().zip(&pictures).zip(places) {
+        for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
             hovered = plot.show(ui, place, picture, cursor).or(hovered);
         }
         self.hovered = hovered;
