@@ -1,6 +1,7 @@
 //! A face: a flat convex polygon with a normal at each corner, and how a plane cuts it.
 
 use nalgebra::Vector3;
+use smallvec::SmallVec;
 
 /// A point or a direction.
 pub type Point = Vector3<f32>;
@@ -44,11 +45,15 @@ pub struct Vertex {
     pub normal: Point,
 }
 
+/// Corners of a face. Nearly all have three or four, or one more where a plane has cut them; thousands are visited in a frame, and
+/// they are found faster where they stand in the face itself.
+pub type Corners = SmallVec<[Vertex; 5]>;
+
 /// A flat convex polygon, seen from its outer side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
     /// Corners, anticlockwise as seen from outside in right-handed axes.
-    pub vertices: Vec<Vertex>,
+    pub vertices: Corners,
     /// Outward direction of its plane, of unit length.
     pub normal: Point,
     /// What it is made of.
@@ -93,7 +98,8 @@ impl Face {
     }
 
     /// A face through vertices in order; `None` where they span no area.
-    pub(super) fn smooth(vertices: Vec<Vertex>, material: Material) -> Option<Self> {
+    pub(super) fn smooth(vertices: impl IntoIterator<Item = Vertex>, material: Material) -> Option<Self> {
+        let vertices: Corners = vertices.into_iter().collect();
         let points: Vec<Point> = vertices.iter().map(|vertex| vertex.position).collect();
         let normal = unit_normal(&points)?;
         Some(Self { vertices, normal, material, is_double_sided: false })
@@ -154,8 +160,10 @@ impl Face {
     /// On which sides of a plane it is: (behind, before). In the plane counts as the side that it faces.
     pub(super) fn sides(&self, plane: &Plane) -> (bool, bool) {
         let distances = self.vertices.iter().map(|vertex| plane.distance(&vertex.position));
-        let (low, high) = distances.fold((0.0_f32, 0.0_f32), |(low, high), d| (d.min(low), d.max(high)));
-        match (low < -ON_PLANE, high > ON_PLANE) {
+        let sides = distances.fold((false, false), |(is_behind, is_before), d| {
+            (is_behind || d < -ON_PLANE, is_before || d > ON_PLANE)
+        });
+        match sides {
             (false, false) => {
                 let is_before = self.normal.dot(&plane.normal) >= 0.0;
                 (!is_before, is_before)
@@ -171,7 +179,7 @@ impl Face {
             (true, false) => return Side::Back(self),
             (true, true) => {}
         }
-        let (mut front, mut back) = (Vec::new(), Vec::new());
+        let (mut front, mut back) = (Corners::new(), Corners::new());
         for (k, a) in self.vertices.iter().enumerate() {
             let b = &self.vertices[(k + 1) % self.vertices.len()];
             let (da, db) = (plane.distance(&a.position), plane.distance(&b.position));
@@ -193,7 +201,7 @@ impl Face {
                 back.push(cut);
             }
         }
-        let part = |vertices: Vec<Vertex>| {
+        let part = |vertices: Corners| {
             let points: Vec<Point> = vertices.iter().map(|vertex| vertex.position).collect();
             unit_normal(&points).map(|_| Self { vertices, ..self.clone_head() })
         };
@@ -206,7 +214,7 @@ impl Face {
     }
 
     fn clone_head(&self) -> Self {
-        Self { vertices: Vec::new(), ..*self }
+        Self { vertices: Corners::new(), ..*self }
     }
 }
 

@@ -186,12 +186,10 @@ impl ReferenceSlider<'_> {
         let outside = !self.range.contains(&value);
         let line = if outside { palette.bad } else { palette.strong };
         let held = response.is_pointer_button_down_on() || response.hovered();
-        painter.circle(
-            egui::pos2(x, y),
-            if held { HANDLE_RADIUS + 1.0 } else { HANDLE_RADIUS },
-            palette.pane,
-            Stroke::new(2.0, line),
-        );
+        // A disc on a disc has a tenth of the corners of a circle with an outline, and there is one on every row.
+        let radius = if held { HANDLE_RADIUS + 1.0 } else { HANDLE_RADIUS };
+        painter.circle_filled(egui::pos2(x, y), radius + 1.0, line);
+        painter.circle_filled(egui::pos2(x, y), radius - 1.0, palette.pane);
         if response.has_focus() {
             painter.circle_stroke(egui::pos2(x, y), HANDLE_RADIUS + 3.5, Stroke::new(2.0, palette.accent));
         }
