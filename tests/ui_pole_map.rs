@@ -274,9 +274,10 @@ fn the_path_of_a_slider_tells_its_value_under_the_pointer() {
 #[test]
 fn an_approximation_is_marked_on_request_and_tells_its_formula_and_error() {
     let mut harness = page(WIDE);
-    let formula = "ωₙ² = −Zu g/V,  ζ = −Xu/(2ωₙ)";
+    // In notation, and as it is set.
+    let (notation, formula) = ("ωₙ² = −Z_u g/V,  ζ = −X_u/(2ωₙ)", "ωₙ² = −Zu g/V,  ζ = −Xu/(2ωₙ)");
     let plane = app(&harness).plane().expect("an analysis");
-    let approximation = plane.approximations.iter().find(|a| a.formula == formula).expect("two states");
+    let approximation = plane.approximations.iter().find(|a| a.formula == notation).expect("two states");
     let (root, exact) = (approximation.root().expect("a root"), mode(&harness, ModeName::Phugoid).lambda);
     // Where the mark is, from the scale that the axis and the pole give.
     let (chart, at) = (map(&harness, "Slow modes"), pole(&harness, "Phugoid"));

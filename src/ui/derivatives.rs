@@ -350,9 +350,10 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let mut letters = name.chars();
     let name: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
     let hover = format!("{name}. {} {}", parameter.meaning, parameter.sign);
+    let hover = prose(&hover, theme::body(), palette.text);
     let field = row.inner;
     if !field.response.hovered() {
-        row.response.on_hover_text(&hover);
+        row.response.on_hover_text(hover.clone());
     }
     field.response.on_hover_text(hover);
     if let Some(refusal) = field.refusal {

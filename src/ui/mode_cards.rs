@@ -1,6 +1,8 @@
 //! A card for each mode, and the two verdicts above them.
 
-use egui::{Align, Button, Color32, Frame, Layout, Margin, Rect, Response, RichText, Stroke, Ui, Vec2};
+use egui::{
+    Align, Button, Color32, Frame, Layout, Margin, Rect, Response, RichText, Stroke, Ui, Vec2, WidgetText,
+};
 
 use super::phasors::phasors_ui;
 use super::poles::eigenvalue;
@@ -226,7 +228,9 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     let name = mode.naming.name.text();
     let mut fly = false;
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().button_padding = Vec2::new(7.0, 3.0);
+        // So that all three stand in one row of a card as a rule.
+        ui.spacing_mut().button_padding = Vec2::new(5.0, 3.0);
+        ui.spacing_mut().item_spacing.x = 5.0;
         let text = |text: &str| RichText::new(text).font(theme::small());
         let button = ui.add(
             Button::selectable(flown, text(if flown { "Flying alone" } else { "Fly this mode" }))
@@ -240,7 +244,7 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             })
             .on_hover_text("Let the aircraft go in the shape of this mode: then nothing else moves")
             .clicked();
-        let toggle = |ui: &mut Ui, on: &mut bool, words: &str, what: &str, hover: &str| {
+        let toggle = |ui: &mut Ui, on: &mut bool, words: &str, what: &str, hover: WidgetText| {
             let button = Button::selectable(*on, text(words)).frame_when_inactive(true);
             let response = ui.add(button).accessible_name(format!("{what} of the {name}"));
             if response.on_hover_text(hover).clicked() {
@@ -252,10 +256,16 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             &mut details.shape,
             "Shape",
             "Shape",
-            "How large each quantity is in this mode, and how far ahead or behind it swings",
+            "How large each quantity is in this mode, and how far ahead or behind it swings".into(),
         );
         if let Some((text, hover)) = approximation_button(plane, mode) {
-            toggle(ui, &mut details.approximations, &text, "Approximations", &hover);
+            toggle(
+                ui,
+                &mut details.approximations,
+                &text,
+                "Approximations",
+                prose(&hover, theme::body(), Palette::of(ui).text).into(),
+            );
         }
     });
     fly
@@ -377,9 +387,10 @@ fn approximations_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     let palette = Palette::of(ui);
     for approximation in approximations(plane, mode) {
         let values = RichText::new(approximation_values(approximation)).font(theme::small());
-        let formula = RichText::new(approximation.formula).font(theme::small()).color(palette.weak);
-        let leaves_out = format!("Leaves out: {}", approximation.neglects);
-        ui.label(values.color(palette.text)).on_hover_text(&leaves_out);
+        let formula = prose(approximation.formula, theme::small(), palette.weak);
+        let leaves_out =
+            prose(&format!("Leaves out: {}", approximation.neglects), theme::body(), palette.text);
+        ui.label(values.color(palette.text)).on_hover_text(leaves_out.clone());
         ui.label(formula).on_hover_text(leaves_out);
         ui.add_space(2.0);
     }

@@ -39,6 +39,11 @@ pub fn make_low(ui: &mut Ui, height: f32) {
     }
 }
 
+/// Text of the page.
+pub fn body() -> FontId {
+    FontId::proportional(13.0)
+}
+
 /// Text that explains, one size down.
 pub fn small() -> FontId {
     FontId::proportional(11.5)
@@ -55,7 +60,7 @@ pub fn install(ctx: &Context) {
     ctx.all_styles_mut(|style| {
         style.text_styles = [
             (TextStyle::Small, small()),
-            (TextStyle::Body, FontId::proportional(13.0)),
+            (TextStyle::Body, body()),
             (TextStyle::Button, FontId::proportional(13.0)),
             (TextStyle::Heading, semibold(13.0)),
             (TextStyle::Monospace, FontId::new(13.0, FontFamily::Monospace)),

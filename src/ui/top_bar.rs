@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::containers::menu::menu_style;
 use egui::style::{ScrollStyle, StyleModifier};
-use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Vec2};
+use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, Ui, Vec2};
 
 use super::app::{Action, Ghost};
 use super::theme::{self, Look, Palette};
@@ -35,11 +35,11 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         let first = |ui: &mut Ui| {
             let action = aircraft_ui(ui, bar);
             status_ui(ui, bar.scenario);
-            ui.with_layout(Layout::right_to_left(Align::Center), help_ui).inner.or(action)
+            from_the_right(ui, true, None, vec![Tool::help()]).or(action)
         };
         let second = |ui: &mut Ui| {
             let action = plane_ui(ui, bar);
-            tools_from_the_right(ui, bar).or(action)
+            tools_ui(ui, bar).or(action)
         };
         let action = ui.horizontal(first).inner;
         return ui.horizontal(second).inner.or(action);
@@ -50,13 +50,9 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         let action = aircraft_ui(ui, bar);
         status_ui(ui, bar.scenario);
         let action = plane_ui(ui, bar).or(action);
-        tools_from_the_right(ui, bar).or(action)
+        tools_ui(ui, bar).or(action)
     };
     ui.horizontal(row).inner
-}
-
-fn tools_from_the_right(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| tools_ui(ui, bar)).inner
 }
 
 fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
@@ -120,52 +116,91 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     action
 }
 
-/// The sheet of keys, which nobody finds by pressing one.
-fn help_ui(ui: &mut Ui) -> Option<Action> {
-    let least = Vec2::new(if theme::is_for_fingers(ui) { 34.0 } else { 0.0 }, 0.0);
-    let button = theme::bare_button(ui, true, Button::new("?").min_size(least));
-    let button = button.accessible_name("Help: all keys").on_hover_text("Help: all keys (?)");
-    button.clicked().then_some(Action::Help)
+/// A button of the bar that is its words alone.
+struct Tool {
+    text: &'static str,
+    name: String,
+    hover: String,
+    is_enabled: bool,
+    does: Does,
 }
 
-/// The tools, from the right edge inwards where there is room.
+/// What a tool does.
+enum Does {
+    Ask(Action),
+    Dress(Look),
+}
+
+impl Tool {
+    fn new(text: &'static str, name: impl Into<String>, action: Action) -> Self {
+        let name = name.into();
+        Self { text, hover: name.clone(), name, is_enabled: true, does: Does::Ask(action) }
+    }
+
+    /// The sheet of keys, which nobody finds by pressing one.
+    fn help() -> Self {
+        Self { hover: "Help: all keys (?)".to_owned(), ..Self::new("?", "Help: all keys", Action::Help) }
+    }
+}
+
+/// The tools, up to the right edge; in the order of reading, which is that of the Tab key.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
-    let mut action = None;
+    let look = Look::of(ui.ctx()).next();
+    let share = if bar.narrow { "Share" } else { "Share link" };
+    let share = Tool::new(share, "Share link: copy the whole scene as a link (key L)", Action::CopyLink);
+    let pin = match bar.ghost {
+        Some(ghost) => Tool::new("Unpin", format!("Unpin “{}”", ghost.name), Action::Unpin),
+        None => Tool::new("Pin ghost", "Pin this state, to compare what comes next with it", Action::Pin),
+    };
+    let dress = Tool {
+        text: look.sign(),
+        name: look.text().to_owned(),
+        hover: format!("{} (T)", look.text()),
+        is_enabled: true,
+        does: Does::Dress(look),
+    };
+    let undo = Tool { is_enabled: bar.history.0, ..Tool::new("↶", "Undo", Action::Undo) };
+    let redo = Tool { is_enabled: bar.history.1, ..Tool::new("↷", "Redo", Action::Redo) };
+    let mut tools = vec![share, pin, undo, redo, dress];
+    if !bar.narrow {
+        tools.push(Tool::help());
+    }
+    let pinned = bar.ghost.filter(|_| bar.roomy).map(|ghost| format!("○ pinned: {}", ghost.name));
+    from_the_right(ui, bar.narrow, pinned.as_deref(), tools)
+}
+
+/// Shows a remark and tools up to the right edge, and gives what was asked for.
+fn from_the_right(ui: &mut Ui, narrow: bool, remark: Option<&str>, tools: Vec<Tool>) -> Option<Action> {
     // A sign alone is too narrow for a finger.
-    let (gap, least) = match (theme::is_for_fingers(ui), bar.narrow) {
+    let (gap, least) = match (theme::is_for_fingers(ui), narrow) {
         (true, _) => (4.0, 34.0),
         (false, true) => (6.0, 0.0),
         (false, false) => (12.0, 0.0),
     };
     ui.spacing_mut().item_spacing.x = gap;
-    let least = Vec2::new(least, 0.0);
-    if !bar.narrow {
-        action = help_ui(ui);
-    }
-    let look = Look::of(ui.ctx()).next();
-    let button = theme::bare_button(ui, true, Button::new(look.sign()).min_size(least));
-    if button.accessible_name(look.text()).on_hover_text(format!("{} (T)", look.text())).clicked() {
-        look.set(ui.ctx());
-    }
-    let mut tool = |text: &str, name: &str, enabled: bool, asked: Action| {
-        let button = theme::bare_button(ui, enabled, Button::new(text).min_size(least));
-        if button.accessible_name(name).on_hover_text(name).clicked() {
-            action = Some(asked);
-        }
+    // Laid out from the right they would be in the wrong order for the Tab key, so their widths are added up first.
+    let width = |text: &str, font: FontId| {
+        ui.painter().layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER).size().x
     };
-    tool("↷", "Redo", bar.history.1, Action::Redo);
-    tool("↶", "Undo", bar.history.0, Action::Undo);
-    match bar.ghost {
-        Some(ghost) => tool("Unpin", &format!("Unpin “{}”", ghost.name), true, Action::Unpin),
-        None => tool("Pin ghost", "Pin this state, to compare what comes next with it", true, Action::Pin),
+    let font = TextStyle::Button.resolve(ui.style());
+    let of_tools = tools.iter().map(|tool| width(tool.text, font.clone()).max(least));
+    let of_remark = remark.map(|remark| width(remark, theme::small()));
+    let all: Vec<f32> = of_remark.into_iter().chain(of_tools).collect();
+    let needed = all.iter().sum::<f32>() + gap * all.len().saturating_sub(1) as f32;
+    ui.add_space((ui.available_width() - needed).max(0.0));
+    if let Some(remark) = remark {
+        ui.label(RichText::new(remark).font(theme::small()).color(Palette::of(ui).weak));
     }
-    let share = if bar.narrow { "Share" } else { "Share link" };
-    tool(share, "Share link: copy the whole scene as a link (key L)", true, Action::CopyLink);
-    if let Some(ghost) = bar.ghost
-        && bar.roomy
-    {
-        let palette = Palette::of(ui);
-        ui.label(RichText::new(format!("○ pinned: {}", ghost.name)).font(theme::small()).color(palette.weak));
+    let mut action = None;
+    for tool in tools {
+        let button = Button::new(tool.text).min_size(Vec2::new(least, 0.0));
+        let response = theme::bare_button(ui, tool.is_enabled, button);
+        if response.accessible_name(tool.name).on_hover_text(tool.hover).clicked() {
+            match tool.does {
+                Does::Ask(asked) => action = Some(asked),
+                Does::Dress(look) => look.set(ui.ctx()),
+            }
+        }
     }
     action
 }

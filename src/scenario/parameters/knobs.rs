@@ -14,7 +14,7 @@ pub(super) const ROWS: [Parameter; 11] = [
         group: Group::Aircraft,
         dimension: Dimension::AirSpeed,
         meaning: "True airspeed. It moves every dimensional derivative through the dynamic pressure, the \
-            Mach number, and the trim lift, with drag, C_Dα, Cl_r and Cn_p after it.",
+            Mach number, and the trim lift, with drag, C_Dα, C_lr and C_np after it.",
         sign: "Positive. Faster stiffens and speeds up the short period and the roll, and slows the phugoid \
             down.",
         origin: "C_L = W cos γ₀/(½ρV²S); drag grows with C_L².",
@@ -30,8 +30,8 @@ pub(super) const ROWS: [Parameter; 11] = [
         group: Group::Aircraft,
         dimension: Dimension::Length,
         meaning: "Height in the standard atmosphere. It moves every dimensional derivative through the \
-            density, the Mach number through the speed of sound, and the trim lift, with drag, C_Dα, Cl_r \
-            and Cn_p after it.",
+            density, the Mach number through the speed of sound, and the trim lift, with drag, C_Dα, C_lr \
+            and C_np after it.",
         sign: "Higher is thinner air at the same true airspeed: less damping in every fast mode.",
         origin: "International standard atmosphere; C_L = W cos γ₀/(½ρV²S).",
         place: Place::Condition(|c| &mut c.altitude),
@@ -62,7 +62,7 @@ pub(super) const ROWS: [Parameter; 11] = [
         group: Group::Aircraft,
         dimension: Dimension::Percent,
         meaning: "Mass over that of the reference. It divides every force derivative, X, Y and Z, and raises \
-            the trim lift, with drag, C_Dα, Cl_r and Cn_p after it.",
+            the trim lift, with drag, C_Dα, C_lr and C_np after it.",
         sign: "Above 100 % is heavier: flown at a higher C_L, with less heave damping.",
         origin: "C_L = W cos γ₀/(½ρV²S). The inertias have their own knobs.",
         place: Place::Knob(|k| &mut k.mass_ratio),
@@ -122,11 +122,11 @@ pub(super) const ROWS: [Parameter; 11] = [
         group: Group::Aircraft,
         dimension: Dimension::Percent,
         meaning: "How far the centre of gravity lies behind that of the reference, in mean chords. It moves \
-            Cm_α, Cm_q, Cm_α̇, Cm_M, Cm_δe and C_Lq, and by less Cn_β, Cn_p, Cn_r, Cn_δa, Cn_δr, CY_r and \
-            Cl_r.",
+            C_mα, C_mq, C_mα̇, C_mM, C_mδe and C_Lq, and by less C_nβ, C_np, C_nr, C_nδa, C_nδr, C_Yr and \
+            C_lr.",
         sign: "Positive is aft and takes pitch stiffness away; aft of the neutral point the aircraft is \
             statically unstable.",
-        origin: "Cm_α = C_Lα (h − h_n); forces and velocities carried to the new centre as by a rigid body. \
+        origin: "C_mα = C_Lα (h − h_n); forces and velocities carried to the new centre as by a rigid body. \
             Inertias stay.",
         place: Place::Knob(|k| &mut k.cg_shift),
         extent: Extent::Fixed { low: -0.3, high: 0.4 },
@@ -140,10 +140,10 @@ pub(super) const ROWS: [Parameter; 11] = [
         group: Group::Aircraft,
         dimension: Dimension::Percent,
         meaning: "Area of the horizontal tail over that of the reference, its arm the same. It moves C_Lα, \
-            Cm_α, C_Lα̇, Cm_α̇, C_Lq, Cm_q, and the elevator's C_Lδe, C_Dδe and Cm_δe.",
+            C_mα, C_Lα̇, C_mα̇, C_Lq, C_mq, and the elevator's C_Lδe, C_Dδe and C_mδe.",
         sign: "Larger stiffens and damps the short period; at 0 % the tail is gone, and with it the \
             elevator.",
-        origin: "Cm_α = −η a_t V_H (1 − dε/dα) and Cm_q = −2.2 η a_t V_H l_t/c, the tail's part of each. \
+        origin: "C_mα = −η a_t V_H (1 − dε/dα) and C_mq = −2.2 η a_t V_H l_t/c, the tail's part of each. \
             Its own mass and drag are left out.",
         place: Place::Knob(|k| &mut k.tail_ratio),
         extent: Extent::Fixed { low: 0.0, high: 2.0 },
@@ -157,10 +157,10 @@ pub(super) const ROWS: [Parameter; 11] = [
         group: Group::Aircraft,
         dimension: Dimension::Percent,
         meaning: "Area of fin and rudder over that of the reference, arm and height the same. It moves every \
-            coefficient by β, p and r, most of all Cn_β and Cn_r, and the rudder's CY_δr, Cl_δr and Cn_δr.",
+            coefficient by β, p and r, most of all C_nβ and C_nr, and the rudder's C_Yδr, C_lδr and C_nδr.",
         sign: "Larger stiffens and damps the Dutch roll, and often lets the spiral diverge; at 0 % the fin \
             is gone, and with it the rudder.",
-        origin: "Cn_β = −(l_v/b) CY_βv, Cl_β = (z_v/b) CY_βv and Cn_r = 2 (l_v/b)² CY_βv, the fin's part of \
+        origin: "C_nβ = −(l_v/b) C_Yβv, C_lβ = (z_v/b) C_Yβv and C_nr = 2 (l_v/b)² C_Yβv, the fin's part of \
             each. Its own mass and drag are left out.",
         place: Place::Knob(|k| &mut k.fin_ratio),
         extent: Extent::Fixed { low: 0.0, high: 2.0 },
@@ -173,10 +173,10 @@ pub(super) const ROWS: [Parameter; 11] = [
         plane: Some(Plane::Lateral),
         group: Group::Aircraft,
         dimension: Dimension::Angle,
-        meaning: "How much further the wing tips are bent up than in the reference. It moves Cl_β, the \
+        meaning: "How much further the wing tips are bent up than in the reference. It moves C_lβ, the \
             dihedral effect.",
         sign: "Positive is tips up: it steadies the spiral and takes damping from the Dutch roll.",
-        origin: "Cl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing.",
+        origin: "C_lβ = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing.",
         place: Place::Knob(|k| &mut k.dihedral_change),
         extent: Extent::Fixed { low: -0.175, high: 0.175 },
     },

@@ -104,6 +104,8 @@ pub struct App {
     followed: u64,
     share: Share,
     view: View,
+    /// Whether this frame has said why nothing can be shown; once is enough.
+    problem_said: bool,
 }
 
 impl App {
@@ -127,6 +129,7 @@ impl App {
             history: Undoer::default(),
             followed: 0,
             share: Share::default(),
+            problem_said: false,
             view: View {
                 poles: PoleMap::default(),
                 responses: Responses::default(),
@@ -229,6 +232,7 @@ impl App {
 
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
+        self.problem_said = false;
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
         let mut hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         if hand == Hand::Takes {

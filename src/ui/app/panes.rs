@@ -1,6 +1,6 @@
 //! What is in the panes: each is given what follows from the scenario, and edits it in place.
 
-use egui::Ui;
+use egui::{RichText, Ui};
 
 use super::{Action, App, Ghost, View};
 use crate::flight::modes::Mode;
@@ -53,13 +53,13 @@ impl App {
     }
 
     pub(super) fn aircraft_ui(&mut self, ui: &mut Ui) {
-        let Self { memo, scenario, view, .. } = self;
+        let Self { memo, scenario, view, problem_said, .. } = self;
         match flown(ui, memo, scenario, view) {
             Some(flown) => {
                 view.flight.show(ui, flown);
                 view.responses.set_time(view.flight.time());
             }
-            None => problem_ui(ui, memo.followed(), scenario.plane),
+            None => problem_ui(ui, memo.followed(), scenario.plane, problem_said),
         }
     }
 
@@ -79,7 +79,7 @@ impl App {
                 let locus = touched.zip(self.memo.locus());
                 self.view.poles.show(ui, Seen { scenario: &self.scenario, plane, ghost, locus });
             }
-            None => problem_ui(ui, self.memo.followed(), self.scenario.plane),
+            None => problem_ui(ui, self.memo.followed(), self.scenario.plane, &mut self.problem_said),
         }
     }
 
@@ -93,7 +93,7 @@ impl App {
     }
 
     pub(super) fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
-        let Self { memo, scenario, ghost, ghost_memo, view, .. } = self;
+        let Self { memo, scenario, ghost, ghost_memo, view, problem_said, .. } = self;
         memo.refresh(scenario, view.page);
         view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
         memo.refresh(scenario, view.page);
@@ -105,7 +105,7 @@ impl App {
                 let ghost = ghost.as_ref().and_then(|_| studied(ghost_memo));
                 view.responses.show(ui, now, ghost, rows);
             }
-            None => problem_ui(ui, memo.followed(), scenario.plane),
+            None => problem_ui(ui, memo.followed(), scenario.plane, problem_said),
         }
     }
 
@@ -125,7 +125,7 @@ impl App {
         }
         self.memo.refresh(&self.scenario, self.view.page);
         let (Some(plane), Some(Ok(analysis))) = (self.memo.plane(), self.analysis()) else {
-            problem_ui(ui, self.memo.followed(), self.scenario.plane);
+            problem_ui(ui, self.memo.followed(), self.scenario.plane, &mut self.problem_said);
             return None;
         };
         verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
@@ -173,8 +173,8 @@ fn studied(memo: &Memo) -> Option<Studied<'_>> {
     })
 }
 
-/// Why there is nothing to draw.
-fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
+/// Why there is nothing to draw: a sentence in the pane that comes first, and a remark in the others.
+fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane, is_said: &mut bool) {
     let problem = match followed.map(|followed| &followed.analysis) {
         Some(Ok(analysis)) => match analysis.of(plane) {
             Some(Err(error)) => error.to_string(),
@@ -184,7 +184,11 @@ fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane) {
         None => return,
     };
     let palette = Palette::of(ui);
-    banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
+    if std::mem::replace(is_said, true) {
+        ui.label(RichText::new("Nothing to show while this can't be analysed.").color(palette.weak));
+    } else {
+        banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
+    }
 }
 
 /// The motion on screen as it is flown, brought to the moment of the playback, or to that of the cursor in the plots.

@@ -12,7 +12,7 @@ use crate::flight::naming::ModeName;
 use crate::number::significant;
 use crate::scenario::Parameter;
 use crate::ui::mode_cards::{approximation_values, numbers_ui};
-use crate::ui::symbol::Symbol;
+use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
 
 /// How far from a pole it can be taken, with a mouse and with a finger \[points\].
@@ -135,10 +135,10 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
             ui.set_max_width(300.0);
             let name = approximation.name.concerns();
             title(ui, &format!("≈ {}, {}", name.text(), approximation.name.text()), name);
-            ui.label(approximation.formula);
+            ui.label(prose(approximation.formula, theme::body(), palette.text));
             ui.label(format!("λ = {} 1/s", shown(root)));
             ui.label(approximation_values(approximation));
-            ui.label(RichText::new(approximation.neglects).font(theme::small()).color(palette.weak));
+            ui.label(prose(approximation.neglects, theme::small(), palette.weak));
         }
         Near::Level(boundary) => {
             let criterion = boundary.criterion;

@@ -107,8 +107,5 @@ fn portrait(
     if let Some(ghost) = ghost {
         curves.push(path(ghost, "pinned", palette.ghost, Stroke::Dashed));
     }
-    Picture {
-        against: (across.symbol, across_unit),
-        ..Picture::of_time(upward.symbol, upward_unit, curves)
-    }
+    Picture { against: (across.symbol, across_unit), ..Picture::of_time(upward.symbol, upward_unit, curves) }
 }
