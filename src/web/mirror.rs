@@ -123,6 +123,8 @@ struct Page {
     events: Vec<egui::Event>,
     /// An element that the browser's focus has left, which egui has no request for.
     left: Option<NodeId>,
+    /// What had egui's focus when the last frame began.
+    focused: Option<egui::Id>,
     /// Something was chosen from a list, which is to close.
     chosen: bool,
     /// What has egui's focus, and its value: the last that was announced.
@@ -156,6 +158,7 @@ impl Page {
             missed: false,
             events: Vec::new(),
             left: None,
+            focused: None,
             chosen: false,
             told: (NodeId(0), String::new()),
             listener,
@@ -167,6 +170,8 @@ impl Page {
     fn pass_on(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
         // A widget without the page's focus would neither show its own nor hear a key.
         input.focused |= self.has_browser_focus();
+        let focused = ctx.memory(|memory| memory.focused());
+        let focused_before = mem::replace(&mut self.focused, focused);
         if !self.events.is_empty() {
             input.events.append(&mut self.events);
             if self.left.is_some() || self.chosen {
@@ -174,12 +179,16 @@ impl Page {
             }
             return;
         }
-        if let Some(left) = self.left.take() {
-            ctx.memory_mut(|memory| {
-                if let Some(focused) = memory.focused().filter(|id| id.accesskit_id() == left) {
-                    memory.surrender_focus(focused);
-                }
-            });
+        if let Some(left) = self.left.take()
+            && let Some(focused) = focused.filter(|id| id.accesskit_id() == left)
+        {
+            if focused_before == Some(focused) {
+                ctx.memory_mut(|memory| memory.surrender_focus(focused));
+            } else {
+                // A widget hears that it has lost the focus only if it had it when a frame began.
+                self.left = Some(left);
+                ctx.request_repaint();
+            }
         }
         if mem::take(&mut self.chosen) {
             egui::Popup::close_all(ctx);
@@ -410,8 +419,9 @@ impl Page {
             let request = ActionRequest { action, target_tree, target_node: id, data };
             self.events.push(egui::Event::AccessKitActionRequest(request));
         };
-        if matches!(action, Action::Increment | Action::Decrement) {
-            // A key has been pressed on it, so it has the focus again if Escape has taken it away.
+        let by_key = matches!(action, Action::Increment | Action::Decrement);
+        if by_key || kind.is_typed() && action != Action::Focus {
+            // A key has been pressed on it, so it has the focus again if Enter or Escape has taken it away.
             ask(Action::Focus, None);
         }
         ask(action, data);
