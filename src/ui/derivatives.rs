@@ -177,7 +177,9 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
 
 /// The name of a group, and its reset where something in it has been edited.
 fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static Parameter]) {
-    let row = Vec2::new(ui.available_width(), 16.0);
+    // For a finger as high as its reset from the start: it would push what is under the finger down.
+    let height = if theme::is_for_fingers(ui) { ui.spacing().interact_size.y } else { 16.0 };
+    let row = Vec2::new(ui.available_width(), height);
     ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
         ui.spacing_mut().button_padding.y = 0.0;
         theme::make_low(ui, 16.0);

@@ -33,8 +33,11 @@ pub struct TimePlots {
     hovered: Option<f64>,
     /// Time of the playback \[s\].
     pub played: Option<f64>,
-    sheet: Option<((Basis, Vec<Output>, bool), Sheet)>,
+    sheet: Option<(Key, Sheet)>,
 }
+
+/// What is shown, of which outputs, and whether split.
+type Key = (Basis, Vec<Output>, bool);
 
 /// What the plots show.
 #[derive(Debug)]
