@@ -15,7 +15,7 @@ use crate::ui::theme::Palette;
 const DAMPING_RATIOS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 
 /// Length of a dash and of the gap behind it.
-const DASH: (f32, f32) = (4.0, 4.0);
+const DASH: (f32, f32) = (5.0, 5.0);
 
 /// Arcs on a map are no more than this.
 const MOST_ARCS: f64 = 60.0;

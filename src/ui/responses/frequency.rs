@@ -1,13 +1,13 @@
 //! The frequency response of the input at work: gain and phase over frequency, with the peaks that the oscillations make.
 
-use egui::{Rect, RichText, Ui};
+use egui::{RichText, Ui};
 use egui_plot::PlotPoint;
 
 use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, input_words, units};
 use super::time::grid;
-use super::{Basis, index, kept, note_ui, output_ui};
+use super::{Basis, Seen, index, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
 use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
 use crate::flight::modes::{DynamicStability, Mode};
@@ -15,7 +15,6 @@ use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
 use crate::scenario::link::Sight;
-use crate::ui::derivatives::Rows;
 use crate::ui::theme::{self, Palette};
 
 /// Points over all frequencies: finer than a screen can tell between peaks.
@@ -63,20 +62,12 @@ impl FrequencyPlots {
         output_ui(ui, "Output of the frequency response", plane, &mut self.outputs[index(plane)]);
     }
 
-    /// Draws gain and phase, and their legend into `beside` if it fits.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        studied: Studied<'_>,
-        ghost: Option<Studied<'_>>,
-        rows: Rows,
-        beside: Option<Rect>,
-    ) {
-        let palette = Palette::of(ui);
+    /// Draws gain and phase.
+    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
+        let Seen { studied, ghost, .. } = seen;
         let output = self.outputs[index(studied.plane())];
-        let key = (Basis::of(studied, ghost, palette), output);
-        let Sheet { bode, pictures, entries } =
-            kept(&mut self.sheet, key, || Sheet::of(studied, ghost, palette, output));
+        let key = (Basis::of(seen), output);
+        let Sheet { bode, pictures, entries } = kept(&mut self.sheet, key, || Sheet::of(seen, output));
         match unsteady(studied.modes) {
             Some(growing) => note_ui(ui, &growing),
             None => peaks_ui(ui, bode),
@@ -84,8 +75,8 @@ impl FrequencyPlots {
         if let Some(growing) = ghost.and_then(|ghost| unsteady(ghost.modes)) {
             note_ui(ui, &format!("Pinned: {growing}"));
         }
-        legend::legend_ui(ui, entries, beside);
-        let places = grid(ui, pictures.len(), rows);
+        legend::legend_ui(ui, entries, seen.beside);
+        let places = grid(ui, pictures.len(), seen.rows);
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
             plot.show(ui, place, picture, None);
         }
@@ -93,7 +84,8 @@ impl FrequencyPlots {
 }
 
 impl Sheet {
-    fn of(studied: Studied<'_>, ghost: Option<Studied<'_>>, palette: &Palette, output: Output) -> Self {
+    fn of(seen: Seen<'_>, output: Output) -> Self {
+        let Seen { studied, ghost, palette, .. } = seen;
         let (input, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
         let (quantity, unit, _) = units(output, studied.scenario);
         let input_unit = dimension.symbol(LengthUnit::Metre);

@@ -117,13 +117,26 @@ impl Responses {
             note_ui(ui, &end);
         }
         let beside = self.beside.take();
+        let seen = Seen { studied, ghost, palette: Palette::of(ui), rows, beside };
         match self.tab {
-            Tab::Time => self.time.show(ui, studied, ghost, rows, beside),
-            Tab::Phase => self.phase.show(ui, studied, ghost, rows, (self.time.cursor(), beside)),
-            Tab::Frequency => self.frequency.show(ui, studied, ghost, rows, beside),
+            Tab::Time => self.time.show(ui, seen),
+            Tab::Phase => self.phase.show(ui, seen, self.time.cursor()),
+            Tab::Frequency => self.frequency.show(ui, seen),
             Tab::Figures => figures::figures_ui(ui, studied, ghost),
         }
     }
+}
+
+/// What a tab draws, and where.
+#[derive(Clone, Copy, Debug)]
+struct Seen<'a> {
+    studied: Studied<'a>,
+    /// The pinned state.
+    ghost: Option<Studied<'a>>,
+    palette: &'static Palette,
+    rows: Rows,
+    /// Where the legend goes if it fits.
+    beside: Option<Rect>,
 }
 
 /// What pictures are made of: they stay the same as long as it does.
@@ -136,12 +149,12 @@ struct Basis {
 }
 
 impl Basis {
-    fn of(studied: Studied<'_>, ghost: Option<Studied<'_>>, palette: &'static Palette) -> Self {
+    fn of(seen: Seen<'_>) -> Self {
         Self {
-            scenario: studied.scenario.clone(),
-            pinned: ghost.map(|ghost| ghost.scenario.clone()),
-            is_flown: studied.flight.is_some(),
-            palette,
+            scenario: seen.studied.scenario.clone(),
+            pinned: seen.ghost.map(|ghost| ghost.scenario.clone()),
+            is_flown: seen.studied.flight.is_some(),
+            palette: seen.palette,
         }
     }
 }
@@ -187,5 +200,23 @@ const fn index(plane: Plane) -> usize {
     match plane {
         Plane::Longitudinal => 0,
         Plane::Lateral => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::kept;
+
+    #[test]
+    fn what_is_kept_is_made_again_when_its_key_changes_and_only_then() {
+        let (mut held, mut made) = (None, 0);
+        let keys = ["a", "a", "b", "b", "a"];
+        let given = keys.map(|key| {
+            *kept(&mut held, key, || {
+                made += 1;
+                key
+            })
+        });
+        assert_eq!((given, made), (keys, 3));
     }
 }

@@ -1,18 +1,16 @@
 //! Phase portraits: one quantity over another, time only along the path.
 
-use egui::{Rect, Ui};
+use egui::Ui;
 use egui_plot::PlotPoint;
 
 use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::time::grid;
-use super::{Basis, index, kept, output_ui};
+use super::{Basis, Seen, index, kept, output_ui};
 use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::scenario::link::Sight;
-use crate::ui::derivatives::Rows;
-use crate::ui::theme::Palette;
 
 /// Two portraits of each plane.
 #[derive(Debug)]
@@ -46,21 +44,12 @@ impl PhasePlots {
         }
     }
 
-    /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\], and their legend into `beside` if it
-    /// fits.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        studied: Studied<'_>,
-        ghost: Option<Studied<'_>>,
-        rows: Rows,
-        (cursor, beside): (Option<f64>, Option<Rect>),
-    ) {
-        let palette = Palette::of(ui);
+    /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\].
+    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>, cursor: Option<f64>) {
+        let Seen { studied, palette, .. } = seen;
         let pairs = self.pairs[index(studied.plane())];
-        let key = (Basis::of(studied, ghost, palette), pairs);
-        let pictures =
-            kept(&mut self.pictures, key, || pairs.map(|pair| portrait(studied, ghost, palette, pair)));
+        let key = (Basis::of(seen), pairs);
+        let pictures = kept(&mut self.pictures, key, || pairs.map(|pair| portrait(seen, pair)));
         for picture in pictures.iter_mut() {
             let now = cursor.and_then(|time| {
                 let k = (time / studied.motion.response.dt).round() as usize;
@@ -75,8 +64,8 @@ impl PhasePlots {
         if pictures.iter().any(|picture| picture.dots.len() > 1) {
             entries.push(dot(palette.text, "at the cursor"));
         }
-        legend::legend_ui(ui, &entries, beside);
-        let places = grid(ui, pairs.len(), rows);
+        legend::legend_ui(ui, &entries, seen.beside);
+        let places = grid(ui, pairs.len(), seen.rows);
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
             plot.show(ui, place, picture, None);
         }
@@ -84,12 +73,8 @@ impl PhasePlots {
 }
 
 /// One quantity over another, without its dots.
-fn portrait(
-    studied: Studied<'_>,
-    ghost: Option<Studied<'_>>,
-    palette: &Palette,
-    (over, of): (Output, Output),
-) -> Picture {
+fn portrait(seen: Seen<'_>, (over, of): (Output, Output)) -> Picture {
+    let Seen { studied, ghost, palette, .. } = seen;
     let (across, across_unit, across_si) = units(over, studied.scenario);
     let (upward, upward_unit, upward_si) = units(of, studied.scenario);
     let path = |studied: Studied<'_>, name, color, stroke| {

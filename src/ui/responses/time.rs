@@ -6,8 +6,8 @@ use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
 use super::legend::{self, Entry};
 use super::plot::{Picture, SmallPlot, Stroke};
-use super::studied::{Studied, units};
-use super::{Basis, index, kept, note_ui, word};
+use super::studied::units;
+use super::{Basis, Seen, index, kept, note_ui, word};
 use crate::content::LengthUnit;
 use crate::flight::modal_sum::SplitError;
 use crate::flight::outputs::Output;
@@ -15,7 +15,6 @@ use crate::flight::plane::Plane;
 use crate::scenario::Quantity;
 use crate::scenario::link::Sight;
 use crate::ui::derivatives::Rows;
-use crate::ui::theme::Palette;
 
 /// Least height of a small plot \[points\].
 const LEAST_HEIGHT: f32 = 120.0;
@@ -49,13 +48,8 @@ struct Sheet {
 }
 
 impl Sheet {
-    fn of(
-        studied: Studied<'_>,
-        ghost: Option<Studied<'_>>,
-        palette: &Palette,
-        chosen: &[Output],
-        split: bool,
-    ) -> Self {
+    fn of(seen: Seen<'_>, chosen: &[Output], split: bool) -> Self {
+        let Seen { studied, ghost, palette, .. } = seen;
         let mut pictures: Vec<Picture> = Vec::new();
         let mut unsplit = None;
         let duration = studied.duration().max(1e-3);
@@ -138,26 +132,18 @@ impl TimePlots {
         );
     }
 
-    /// Draws the plots over all the room there is, and their legend into `beside` if it fits.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        studied: Studied<'_>,
-        ghost: Option<Studied<'_>>,
-        rows: Rows,
-        beside: Option<Rect>,
-    ) {
-        let palette = Palette::of(ui);
-        let chosen = &self.chosen[index(studied.plane())];
+    /// Draws the plots over all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
+        let chosen = &self.chosen[index(seen.studied.plane())];
         let (cursor, before) = (self.cursor(), self.hovered);
-        let key = (Basis::of(studied, ghost, palette), chosen.clone(), self.split);
+        let key = (Basis::of(seen), chosen.clone(), self.split);
         let Sheet { pictures, entries, unsplit } =
-            kept(&mut self.sheet, key, || Sheet::of(studied, ghost, palette, chosen, self.split));
+            kept(&mut self.sheet, key, || Sheet::of(seen, chosen, self.split));
         if let Some(error) = unsplit {
             note_ui(ui, &format!("No split into modes: {error}."));
         }
-        legend::legend_ui(ui, entries, beside);
-        let places = grid(ui, pictures.len(), rows);
+        legend::legend_ui(ui, entries, seen.beside);
+        let places = grid(ui, pictures.len(), seen.rows);
         self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);
         let mut hovered = None;
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
