@@ -155,7 +155,7 @@ pub fn is_listed(parameter: &Parameter, scenario: &Scenario, page: Page, search:
 const FOR_SENTENCES: usize = 3;
 
 /// Whether the symbol as plain text, with or without its underscore, or the name has the wanted letters in it, or what is said
-/// of its meaning, sign and source has a word that begins with them.
+/// of its meaning, sign and source has a word that begins with them. Who writes an underscore wants a symbol, not what moves it.
 fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
     let symbol = Symbol::parse(parameter.symbol).plain().to_lowercase();
     let in_symbol = symbol.contains(wanted) || symbol.replace('_', "").contains(wanted);
@@ -167,6 +167,7 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
     };
     let in_sentences = || {
         wanted.chars().count() >= FOR_SENTENCES
+            && !wanted.contains('_')
             && [parameter.meaning, parameter.sign, parameter.origin].into_iter().any(begins_a_word)
     };
     in_symbol
