@@ -69,6 +69,22 @@ fn tab_goes_once_round_the_whole_page_and_is_seen_at_every_stop() {
 }
 
 #[test]
+fn the_tools_are_reached_in_the_order_of_reading() {
+    let mut page = page(WIDE);
+    page.get_by_role_and_label(Role::Button, "Lateral–directional").focus();
+    page.run();
+    let mut right = 0.0;
+    // Undo and redo have nothing to do yet.
+    for name in ["Share link", "Pin this state", "theme", "Help"] {
+        page.key_press(Key::Tab);
+        page.run();
+        let (_, label, rect) = focused(&page).expect("something has the focus");
+        assert!(label.contains(name) && rect.left() > right, "{label} at {rect}");
+        right = rect.right();
+    }
+}
+
+#[test]
 fn an_arrow_key_in_the_very_next_frame_works_on_what_tab_has_reached_and_stays_there() {
     for name in ["trim lift C_L", "Time of the playback in s", "trim drag C_D, typed", "Find a derivative"] {
         for (there, modifiers) in [(Key::ArrowRight, Modifiers::NONE), (Key::ArrowDown, Modifiers::NONE)] {

@@ -6,7 +6,7 @@ use egui::accesskit::{Role, Toggled};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::scenario::Scenario;
-use page::{PHONE, Page, TABLET, app, page, value};
+use page::{PHONE, Page, TABLET, app, page, type_into, value};
 
 /// A phone that lies on its side, or a page zoomed to twice its size.
 const LOW: Vec2 = Vec2::new(720.0, 450.0);
@@ -226,4 +226,29 @@ fn a_tap_on_a_plot_moves_the_cursor_and_a_finger_going_up_scrolls() {
     assert!(tapped > 0.0);
     swipe(&mut page, at, Vec2::new(50.0, 4.0));
     assert!(time(&mut page) > tapped, "and sideways it goes along");
+}
+
+#[test]
+fn a_slider_that_is_moved_stays_where_it_is() {
+    let mut page = page(PHONE);
+    let place = |page: &Page| page.get_by_role_and_label(Role::Slider, "trim lift C_L").rect();
+    let before = place(&page);
+    page.get_by_role_and_label(Role::Slider, "trim lift C_L").focus();
+    page.run();
+    page.key_press(Key::ArrowRight);
+    page.run();
+    assert_eq!(page.query_all_by_label("Reset the group Speed").count(), 1);
+    assert_eq!(place(&page), before);
+}
+
+#[test]
+fn why_a_number_is_refused_is_brought_into_sight() {
+    // Far down: to be typed into, it is scrolled to the last row on the screen.
+    for name in ["pitch stiffness C_mα", "pitch damping C_mq", "airspeed V"] {
+        let mut page = page(PHONE);
+        type_into(&mut page, &format!("{name}, typed"), "banana");
+        let sentence = rect(&page, "is not a number");
+        let panel = Rect::from_min_size(Pos2::ZERO, PHONE).shrink2(Vec2::new(0.0, 6.0));
+        assert!(panel.contains_rect(sentence), "{name}: {sentence}");
+    }
 }

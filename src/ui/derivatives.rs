@@ -284,7 +284,7 @@ fn row_ui(
         }
     });
     if let Some(refusal) = refusal {
-        ui.label(RichText::new(format!("⚠ {refusal}")).font(theme::small()).color(palette.bad));
+        refusal.show(ui);
     }
     if let Some(value) = new
         && let Ok(value) = parameter.check(scenario, value)
@@ -360,7 +360,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     }
     field.response.on_hover_text(hover);
     if let Some(refusal) = field.refusal {
-        ui.label(RichText::new(format!("⚠ {refusal}")).font(theme::small()).color(palette.bad));
+        refusal.show(ui);
     }
     if let Some(value) = field.accepted {
         parameter.set(scenario, value);

@@ -1,7 +1,7 @@
 //! A number that can be typed. What can't be used is refused in one sentence, and what was typed stays.
 
 use egui::text::{CCursor, CCursorRange};
-use egui::{FontId, Id, Key, Response, TextEdit, Ui};
+use egui::{FontId, Id, Key, Response, RichText, TextEdit, Ui};
 
 use super::arrow_keys;
 use super::theme::{self, Palette};
@@ -24,7 +24,28 @@ pub struct NumberField {
     /// A number that was typed and accepted.
     pub accepted: Option<f64>,
     /// Why what was typed is refused, until it is mended or given up with Escape.
-    pub refusal: Option<String>,
+    pub refusal: Option<Refusal>,
+}
+
+/// Why what was typed is refused.
+#[derive(Debug)]
+pub struct Refusal {
+    sentence: String,
+    /// Whether it has been refused in this frame.
+    is_new: bool,
+}
+
+impl Refusal {
+    /// The sentence, in a row of its own; a new one is brought into sight.
+    pub fn show(&self, ui: &mut Ui) {
+        let text = RichText::new(format!("⚠ {}", self.sentence)).font(theme::small());
+        let sentence = ui.label(text.color(Palette::of(ui).bad));
+        if self.is_new {
+            sentence.scroll_to_me(None);
+            // What was typed is drawn as refused from the next frame on.
+            ui.request_repaint();
+        }
+    }
 }
 
 /// Draws a field that shows `shown`; on Enter or when left, what was typed goes through `read`.
@@ -82,6 +103,7 @@ pub fn number_field_ui(
         }
     }
     let refusal = draft.as_ref().and_then(|draft| draft.refusal.clone());
+    let refusal = refusal.map(|sentence| Refusal { sentence, is_new: response.lost_focus() });
     ui.data_mut(|data| match draft {
         Some(draft) => {
             data.insert_temp(id, draft);
