@@ -1,19 +1,18 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
 use egui::{
-    Align, Button, Event, Id, Key, Layout, Rect, RichText, ScrollArea, Sense, TextEdit, Ui, UiBuilder, Vec2,
+    Align, Button, Event, Id, Key, Layout, RichText, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, Vec2,
 };
 
 use super::number_field::number_field_ui;
 use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
-use super::{arrow_keys, finger};
+use super::{arrow_keys, finger, influence};
 use crate::content::LengthUnit;
 use crate::flight::coefficients::Coefficients;
 use crate::flight::modes::Mode;
-use crate::flight::sensitivity::Sensitivity;
-use crate::number::{significant, trimmed};
+use crate::number::trimmed;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
 
@@ -21,7 +20,9 @@ const SYMBOL_WIDTH: f32 = 58.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
 const COMPACT_FIELD: f32 = 44.0;
-const BAR_WIDTH: f32 = 5.5;
+/// Of a row for a mouse, and of the field in it: low, so that the knobs are in sight below the coefficients.
+const ROW_HEIGHT: f32 = 27.0;
+const LOW_FIELD: f32 = 22.0;
 /// Room for eight lines; a longer card scrolls.
 const HELP_HEIGHT: f32 = 168.0;
 
@@ -52,6 +53,8 @@ pub struct Chosen<'a> {
     pub page: &'a mut Page,
     /// Only those whose symbol or name has this in it, or what is said of them.
     pub search: &'a mut String,
+    /// Key of a slider that was asked for elsewhere: it is brought into sight and gets the keyboard.
+    pub asked: Option<&'static str>,
 }
 
 /// The key that goes to the search field.
@@ -63,7 +66,7 @@ pub const SEARCH_KEY: Key = Key::Slash;
 pub fn derivatives_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
-    Chosen { page, search }: Chosen<'_>,
+    Chosen { page, search, asked }: Chosen<'_>,
     rows: Rows,
     outlook: Outlook<'_>,
 ) -> Option<&'static str> {
@@ -80,6 +83,9 @@ pub fn derivatives_ui(
             }
         });
     });
+    if asked.and_then(Parameter::find).is_some_and(|wanted| !is_listed(wanted, scenario, *page, search)) {
+        search.clear();
+    }
     search_ui(ui, search);
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
@@ -88,6 +94,9 @@ pub fn derivatives_ui(
     let area = ScrollArea::vertical().max_height(height).auto_shrink([false, rows == Rows::Dense]);
     let mut found = false;
     finger::scroll_area_ui(ui, name, area, |ui| {
+        if rows == Rows::Dense {
+            ui.spacing_mut().item_spacing.y = 0.0;
+        }
         for group in Group::DERIVATIVES {
             let shown = |p: &&Parameter| p.group == group && is_listed(p, scenario, *page, search);
             let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
@@ -95,10 +104,11 @@ pub fn derivatives_ui(
                 continue;
             }
             found = true;
-            ui.add_space(3.0);
+            ui.add_space(4.0);
             group_ui(ui, scenario, group, &group_rows);
             for parameter in group_rows {
-                if row_ui(ui, scenario, parameter, rows, outlook) {
+                let is_asked = asked == Some(parameter.key);
+                if row_ui(ui, scenario, parameter, rows, outlook, is_asked) {
                     touched = Some(parameter.key);
                 }
             }
@@ -206,6 +216,7 @@ fn row_ui(
     parameter: &'static Parameter,
     rows: Rows,
     outlook: Outlook<'_>,
+    is_asked: bool,
 ) -> bool {
     let palette = Palette::of(ui);
     let length = scenario.aircraft.length_unit;
@@ -220,17 +231,21 @@ fn row_ui(
     let mut refusal = None;
     let mut at_it = false;
 
-    let height = if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { 28.0 };
+    let height = if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { ROW_HEIGHT };
     let row = ui.allocate_space(Vec2::new(ui.available_width(), height)).1;
     ui.scope_builder(UiBuilder::new().max_rect(row).layout(Layout::left_to_right(Align::Center)), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let hovered = ui.rect_contains_pointer(row);
         if hovered {
             ui.painter().rect_filled(row, 4.0, palette.field);
+        } else if rows == Rows::Dense {
+            // A column of numbers reads better without boxes; a box shows under the mouse and with the focus.
+            ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::NONE;
         }
+        theme::make_low(ui, LOW_FIELD);
         symbol_ui(ui, &symbol, 16.0, palette.text, Some(SYMBOL_WIDTH));
         let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
-        let bars_width = BAR_WIDTH * outlook.modes.len() as f32;
+        let bars_width = influence::BAR_WIDTH * outlook.modes.len() as f32;
         let rest = FIELD_WIDTH + unit_width + bars_width + RESET_WIDTH + 6.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {
             name: &name,
@@ -245,6 +260,10 @@ fn row_ui(
         };
         let width = (ui.available_width() - rest).max(60.0);
         let (response, moved) = slider.show(ui, Vec2::new(width, height));
+        if is_asked {
+            response.request_focus();
+            response.scroll_to_me(Some(Align::Center));
+        }
         at_it |= hovered || response.has_focus();
         if let Some(moved) = in_effect {
             response.on_hover_text(format!(
@@ -274,7 +293,11 @@ fn row_ui(
                 unit_ui(ui, unit, in_effect.filter(|moved| trimmed(*moved, 3) != trimmed(value, 3)));
             },
         );
-        bars_ui(ui, parameter, (in_si, unit), outlook, Vec2::new(bars_width, height));
+        let (bars, response) = ui.allocate_exact_size(Vec2::new(bars_width, height), Sense::hover());
+        if let Some(row) = outlook.sensitivities.iter().find(|row| row.key == parameter.key) {
+            influence::paint_bars(ui, row, outlook.modes, bars);
+            response.on_hover_text(influence::words(row, outlook.modes, (in_si, unit)));
+        }
         if parameter.is_edited(scenario) {
             let reset =
                 theme::bare_button(ui, true, Button::new("↺")).accessible_name(format!("Reset {name}"));
@@ -364,54 +387,6 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     }
     if let Some(value) = field.accepted {
         parameter.set(scenario, value);
-    }
-}
-
-/// A bar a mode: how strongly ten per cent of this parameter move it. The tallest stands for a tenth of |λ| and more.
-fn bars_ui(ui: &mut Ui, parameter: &Parameter, (in_si, unit): (f64, &str), outlook: Outlook<'_>, size: Vec2) {
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    let Some(row) = outlook.sensitivities.iter().find(|row| row.key == parameter.key) else { return };
-    let palette = Palette::of(ui);
-    let mut words = Vec::new();
-    for (i, (mode, (strength, sensitivity))) in
-        outlook.modes.iter().zip(row.strengths.iter().zip(&row.modes)).enumerate()
-    {
-        let name = mode.naming.name.text();
-        let Some(strength) = strength else {
-            words.push(format!("{name}: two roots meet here, so there is no rate"));
-            continue;
-        };
-        if *strength < 1e-6 {
-            continue;
-        }
-        // A square root keeps the weak ones visible.
-        let tall = (strength / 0.1).min(1.0).sqrt() as f32 * (rect.height() - 8.0).min(18.0);
-        let left = rect.left() + BAR_WIDTH * i as f32;
-        let bottom = rect.center().y + 9.0;
-        let bar = Rect::from_min_max(
-            egui::pos2(left, bottom - tall.max(1.0)),
-            egui::pos2(left + BAR_WIDTH - 1.5, bottom),
-        );
-        ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
-        words.push(format!("{name}: {}", change(mode, sensitivity, row.change)));
-    }
-    if words.is_empty() {
-        words.push("moves no pole".to_owned());
-    }
-    let more = significant(row.change / in_si, 2);
-    response.on_hover_text(format!("{more} {unit} more of this:\n{}", words.join("\n")));
-}
-
-/// What a change of the parameter does to a mode, to first order.
-fn change(mode: &Mode, sensitivity: &Sensitivity, by: f64) -> String {
-    let signed =
-        |x: f64, unit: &str| format!("{}{}{unit}", if x >= 0.0 { "+" } else { "" }, significant(x, 2));
-    let Some(rate) = sensitivity.rate() else { return "no rate".to_owned() };
-    match (rate.damping_ratio, rate.natural_frequency, mode.natural_frequency()) {
-        (Some(zeta), Some(wn), Some(now)) => {
-            format!("ζ {}, ωₙ {}", signed(zeta * by, ""), signed(100.0 * wn * by / now, " %"))
-        }
-        _ => format!("λ {}", signed(rate.sigma() * by, " 1/s")),
     }
 }
 

@@ -9,6 +9,7 @@ mod derivatives;
 mod finger;
 mod flight_pane;
 mod fonts;
+mod influence;
 mod kept;
 mod keys;
 mod memo;

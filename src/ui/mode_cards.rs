@@ -59,7 +59,7 @@ fn static_words(
     let PlaneStaticStability { verdict, determinant, stiffness, is_plain } = stability;
     let shown = |value: f64| {
         let value = value / Dimension::PerLengthSecond.in_si(length);
-        format!("{} {}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
+        format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
     };
     let word = |verdict: &StaticVerdict| match verdict {
         StaticVerdict::Stable => "stable",
@@ -70,7 +70,7 @@ fn static_words(
         PlaneStiffness::Longitudinal { m_w, .. } => {
             let margins = margins.map_or_else(String::new, |margins| {
                 let [neutral, manoeuvre] = [margins.static_margin, margins.manoeuvre_margin];
-                let percent = |x: f64| format!("{} %", significant(100.0 * x, 3));
+                let percent = |x: f64| format!("{}\u{a0}%", significant(100.0 * x, 3));
                 format!(", static margin {}, manoeuvre margin {}", percent(neutral), percent(manoeuvre))
             });
             let determinant = match verdict {
@@ -547,7 +547,8 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
 /// What became of a mode since it was pinned, in its two telling numbers.
 fn change(before: &Mode, now: &Mode) -> String {
     let arrow = |symbol: &str, unit: &str, a: f64, b: f64| {
-        format!("{symbol} {} → {}{unit}", significant(a, 3), significant(b, 3))
+        // In one line: only between them it may break.
+        format!("{symbol} {} → {}{unit}", significant(a, 3), significant(b, 3)).replace(' ', "\u{a0}")
     };
     let zeta = before.damping_ratio().zip(now.damping_ratio()).map(|(a, b)| arrow("ζ", "", a, b));
     let period = before.period().zip(now.period()).map(|(a, b)| arrow("T", " s", a, b));

@@ -84,6 +84,7 @@ impl App {
                 ui.columns(count, |columns| {
                     self.cards_ui(|i| i % count, columns);
                 });
+                self.strongest_ui(ui);
                 action
             })
         };

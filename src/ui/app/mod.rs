@@ -19,6 +19,7 @@ use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::link::{self, Details, LinkView, Pane, Sight};
 use crate::scenario::{Choice, Disturbance, Page, Scenario, Source, seen_in};
 use crate::ui::flight_pane::FlightPane;
+use crate::ui::influence::Strongest;
 use crate::ui::keys::{self, Command};
 use crate::ui::memo::Memo;
 use crate::ui::poles::{Hand, PoleMap};
@@ -84,6 +85,9 @@ struct View {
     explained: &'static str,
     /// Key of the slider that the person is at, whose path is drawn.
     touched: Option<&'static str>,
+    /// Key of a slider to go to.
+    asked: Option<&'static str>,
+    strongest: Strongest,
     phone_pane: PhonePane,
     details: Details,
     /// What disturbed each plane, and for how long it was watched \[s\], before a mode was flown alone.
@@ -140,6 +144,8 @@ impl App {
                 search: String::new(),
                 explained: "cm_alpha",
                 touched: None,
+                asked: None,
+                strongest: Strongest::default(),
                 phone_pane: PhonePane::default(),
                 details: Details::default(),
                 before_flight: [None; 2],

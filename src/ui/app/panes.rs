@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use super::{Action, App, Ghost, View};
+use super::{Action, App, Ghost, PhonePane, View};
 use crate::flight::modes::Mode;
 use crate::flight::plane::Plane;
 use crate::scenario::{Flown, Page, Parameter, Scenario, Source, parameters};
@@ -26,8 +26,9 @@ impl App {
             coefficients: followed.and_then(|followed| followed.coefficients.as_ref()),
         };
         self.view.touched = {
-            let View { page, search, .. } = &mut self.view;
-            derivatives_ui(ui, &mut self.scenario, Chosen { page, search }, rows, outlook)
+            let View { page, search, asked, .. } = &mut self.view;
+            let chosen = Chosen { page, search, asked: asked.take() };
+            derivatives_ui(ui, &mut self.scenario, chosen, rows, outlook)
         };
         self.view.explained = self.view.touched.unwrap_or(self.view.explained);
         let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, &self.view.search);
@@ -113,7 +114,21 @@ impl App {
     pub(super) fn modes_ui(&mut self, ui: &mut Ui) -> Option<Action> {
         let action = self.verdicts_ui(ui);
         self.cards_ui(|_| 0, std::slice::from_mut(ui));
+        self.strongest_ui(ui);
         action
+    }
+
+    /// The derivatives that move the modes most; each leads to its slider.
+    pub(super) fn strongest_ui(&mut self, ui: &mut Ui) {
+        let (Some(plane), Some(followed)) = (self.memo.plane(), self.memo.followed()) else { return };
+        let View { strongest, touched, asked, phone_pane, .. } = &mut self.view;
+        let wish = strongest.show(ui, &self.scenario, &followed.sensitivities, &plane.modes);
+        *touched = wish.touched.or(*touched);
+        if wish.asked.is_some() {
+            *asked = wish.asked;
+            *phone_pane = PhonePane::Derivatives;
+            ui.request_repaint();
+        }
     }
 
     /// The verdicts, and what stands in their way: the warning about units, a file that could not be read.

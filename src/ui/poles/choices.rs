@@ -13,6 +13,7 @@ use crate::flight::naming::ModeName;
 use crate::scenario::link::Marks;
 use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, by_strength};
 use crate::ui::derivatives::Rows;
+use crate::ui::influence;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
 
@@ -196,8 +197,7 @@ fn mover_ui(
                 keys.retain(|other| *other != key);
             }
         }
-        // As the bars beside the sliders: a tenth of |λ| fills it, a square root keeps the weak ones visible.
-        let share = strength.map_or(1.0, |strength| (strength / 0.1).min(1.0).sqrt()) as f32;
+        let share = strength.map_or(1.0, influence::share);
         let place = checkbox.rect.right_center().y;
         let right = ui.max_rect().right();
         let start = egui::pos2(right - BAR, place - 2.0);

@@ -1,0 +1,190 @@
+//! Which slider moves which mode: bars beside a slider, and the few derivatives that move the modes most.
+
+use egui::{Rect, Response, RichText, Sense, Ui, Vec2};
+
+use super::symbol::Symbol;
+use super::theme::{self, Palette};
+use crate::flight::modes::Mode;
+use crate::flight::sensitivity::Sensitivity;
+use crate::number::significant;
+use crate::scenario::parameters::Group;
+use crate::scenario::{Parameter, RowSensitivity, Scenario, by_strength};
+
+/// Of a bar beside a slider, with its gap.
+pub const BAR_WIDTH: f32 = 5.5;
+/// The least length of a bar.
+const SHORTEST: f32 = 1.0;
+/// Derivatives in the list.
+const LISTED: usize = 6;
+/// In the list: height of a bar with its gap, room for a symbol.
+const LANE: f32 = 5.0;
+const SYMBOL_WIDTH: f32 = 64.0;
+
+/// How much of its greatest length a bar has: all of it for a tenth of |λ| and more. A square root keeps the weak ones visible.
+pub fn share(strength: f64) -> f32 {
+    (strength / 0.1).min(1.0).sqrt() as f32
+}
+
+/// Upright bars on the left of a place, one a mode: how strongly ten per cent of a parameter move it.
+pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
+    let palette = Palette::of(ui);
+    let bottom = place.center().y + 9.0;
+    for (i, (mode, strength)) in modes.iter().zip(&row.strengths).enumerate() {
+        let Some(strength) = strength.filter(|strength| *strength >= NOTHING) else { continue };
+        let tall = share(strength) * (place.height() - 8.0).min(18.0);
+        let left = place.left() + BAR_WIDTH * i as f32;
+        let top = bottom - tall.max(SHORTEST);
+        let bar = Rect::from_min_max(egui::pos2(left, top), egui::pos2(left + BAR_WIDTH - 1.5, bottom));
+        ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
+    }
+}
+
+/// A weaker one is none.
+const NOTHING: f64 = 1e-6;
+
+/// What the bars of a parameter say, in words; its size in SI of the unit in which it is shown, and that unit.
+pub fn words(row: &RowSensitivity, modes: &[Mode], (in_si, unit): (f64, &str)) -> String {
+    let mut words = Vec::new();
+    for (mode, (strength, sensitivity)) in modes.iter().zip(row.strengths.iter().zip(&row.modes)) {
+        let name = mode.naming.name.text();
+        match strength {
+            None => words.push(format!("{name}: two roots meet here, so there is no rate")),
+            Some(strength) if *strength < NOTHING => {}
+            Some(_) => words.push(format!("{name}: {}", change(mode, sensitivity, row.change))),
+        }
+    }
+    if words.is_empty() {
+        words.push("moves no pole".to_owned());
+    }
+    let more = significant(row.change / in_si, 2);
+    format!("{more} {unit} more of this:\n{}", words.join("\n"))
+}
+
+/// What a change of the parameter does to a mode, to first order.
+fn change(mode: &Mode, sensitivity: &Sensitivity, by: f64) -> String {
+    let signed =
+        |x: f64, unit: &str| format!("{}{}{unit}", if x >= 0.0 { "+" } else { "" }, significant(x, 2));
+    let Some(rate) = sensitivity.rate() else { return "no rate".to_owned() };
+    match (rate.damping_ratio, rate.natural_frequency, mode.natural_frequency()) {
+        (Some(zeta), Some(wn), Some(now)) => {
+            format!("ζ {}, ωₙ {}", signed(zeta * by, ""), signed(100.0 * wn * by / now, " %"))
+        }
+        _ => format!("λ {}", signed(rate.sigma() * by, " 1/s")),
+    }
+}
+
+/// What a person does with the list.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wish {
+    /// Key of the slider that is pointed at.
+    pub touched: Option<&'static str>,
+    /// Key of the slider that is asked for.
+    pub asked: Option<&'static str>,
+}
+
+/// The derivatives that move the modes most. They keep their places while something is dragged.
+#[derive(Debug, Default)]
+pub struct Strongest {
+    keys: Vec<&'static str>,
+}
+
+impl Strongest {
+    /// Draws the list, each derivative with a bar a mode. The longest bar is as long as there is room.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        scenario: &Scenario,
+        rows: &[RowSensitivity],
+        modes: &[Mode],
+    ) -> Wish {
+        let find = |key: &str| rows.iter().find(|row| row.key == key);
+        let is_dragged = ui.input(|input| input.pointer.any_down());
+        if !is_dragged || self.keys.iter().any(|key| find(key).is_none()) {
+            self.keys = strongest(rows, modes.len());
+        }
+        let listed: Vec<_> = self.keys.iter().filter_map(|key| find(key)).collect();
+        let strengths = listed.iter().flat_map(|row| row.strengths.iter().copied().flatten());
+        let largest = strengths.fold(NOTHING, f64::max);
+        let mut wish = Wish::default();
+        if listed.is_empty() {
+            return wish;
+        }
+        ui.add_space(6.0);
+        let title = RichText::new("Which derivative moves which mode").font(theme::semibold(11.5));
+        theme::heading(ui, title.color(Palette::of(ui).weak), 3);
+        ui.scope(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            for row in listed {
+                let Some(parameter) = Parameter::find(row.key) else { continue };
+                let response = row_ui(ui, parameter, row, modes, largest);
+                if response.hovered() || response.has_focus() {
+                    wish.touched = Some(row.key);
+                }
+                if response.clicked() {
+                    wish.asked = Some(row.key);
+                }
+                let length = scenario.aircraft.length_unit;
+                let unit = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
+                response.on_hover_text(format!("{}: {}", parameter.name, words(row, modes, unit)));
+            }
+        });
+        wish
+    }
+}
+
+/// In turn the strongest of each mode that isn't there yet; not the knobs, which move all derivatives at once.
+fn strongest(rows: &[RowSensitivity], modes: usize) -> Vec<&'static str> {
+    let is_derivative =
+        |key: &&str| Parameter::find(key).is_some_and(|parameter| parameter.group != Group::Aircraft);
+    let of_mode = |i| by_strength(rows, i).into_iter().filter(is_derivative);
+    let mut of_modes: Vec<_> = (0..modes).map(of_mode).collect();
+    let mut keys = Vec::new();
+    while keys.len() < LISTED {
+        let before = keys.len();
+        for of_mode in &mut of_modes {
+            if let Some(key) = of_mode.find(|key| !keys.contains(key))
+                && keys.len() < LISTED
+            {
+                keys.push(key);
+            }
+        }
+        if keys.len() == before {
+            break;
+        }
+    }
+    keys
+}
+
+/// A symbol and its bars, one below the other: a button as wide as there is room. A square root keeps weak ones visible.
+fn row_ui(
+    ui: &mut Ui,
+    parameter: &Parameter,
+    row: &RowSensitivity,
+    modes: &[Mode],
+    largest: f64,
+) -> Response {
+    let palette = Palette::of(ui);
+    let symbol = Symbol::parse(parameter.symbol);
+    let height = (LANE * modes.len() as f32 + 6.0).max(ui.spacing().interact_size.y);
+    let size = Vec2::new(ui.available_width(), height);
+    let (place, response) = ui.allocate_exact_size(size, Sense::click());
+    let name = format!("To the slider of {} {}", parameter.name, symbol.plain());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, ui.is_enabled(), &name));
+    if response.hovered() {
+        ui.painter().rect_filled(place, 4.0, palette.field);
+    }
+    theme::focus_ring(ui, &response);
+    let galley = ui.painter().layout_job(symbol.job(14.0, palette.text));
+    let start = place.left_center() + Vec2::new(4.0, -0.5 * galley.size().y);
+    ui.painter().galley(start, galley, palette.text);
+    let room = place.width() - SYMBOL_WIDTH - 4.0;
+    let mut corner = place.left_center() + Vec2::new(SYMBOL_WIDTH, -0.5 * LANE * modes.len() as f32);
+    for (mode, strength) in modes.iter().zip(&row.strengths) {
+        // No strength: two roots meet, and whatever moves them moves them at no finite rate.
+        let length = room * strength.map_or(1.0, |strength| (strength / largest).sqrt() as f32);
+        let bar = Rect::from_min_size(corner, Vec2::new(length.max(SHORTEST), LANE - 1.0));
+        ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
+        corner.y += LANE;
+    }
+    response
+}
