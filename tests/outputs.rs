@@ -190,6 +190,17 @@ fn the_peaks_are_the_short_period_and_the_dutch_roll() {
     assert_eq!(names, [ModeName::Phugoid, ModeName::ShortPeriod]);
 }
 
+/// 1 − e^{−t} never goes beyond, which is known once it has settled, at ln 50 = 3.9 s.
+#[test]
+fn there_is_no_overshoot_before_a_motion_has_settled() {
+    let figures = |end: usize| {
+        let values: Vec<f64> = (0..end).map(|k| 1.0 - (-0.01 * k as f64).exp()).collect();
+        step_figures(&values, 0.01, 0.0, 1.0).expect("figures")
+    };
+    assert_eq!((figures(300).overshoot, figures(300).settling_time), (None, None));
+    assert_eq!(figures(600).overshoot, Some(0.0));
+}
+
 #[test]
 fn the_figures_of_a_second_order_step_are_the_textbooks() {
     // y = 1 − e^{−ζωt} (cos ω_d t + ζ/√(1−ζ²) sin ω_d t), ζ = 0.3, ωₙ = 2: overshoot e^{−πζ/√(1−ζ²)} = 37.23 %
@@ -200,7 +211,8 @@ fn the_figures_of_a_second_order_step_are_the_textbooks() {
     };
     let values: Vec<f64> = (0..20_000).map(|k| y((k as f64 * dt - 1.0).max(0.0))).collect();
     let figures = step_figures(&values, dt, 1.0, 1.0).expect("figures");
-    assert!((figures.overshoot - 0.372_326).abs() < 1e-5, "{}", figures.overshoot);
+    let overshoot = figures.overshoot.expect("it goes beyond");
+    assert!((overshoot - 0.372_326).abs() < 1e-5, "{overshoot}");
     // Rise by its own equation: first times at which y is 0.1 and 0.9.
     let first = |level: f64| {
         let (mut low, mut high) = (0.0, std::f64::consts::PI / wd);

@@ -201,3 +201,11 @@ fn the_lesson_is_shown_in_the_numbers_that_are_printed() {
         assert!((shown - value).abs() <= 1e-15 * value.abs() * 8.0, "{key}: {shown}");
     }
 }
+
+#[test]
+fn the_number_of_a_sample_is_whole() {
+    let navion = &scenarios()[0];
+    let seed = Parameter::find("seed").expect("a row");
+    assert_eq!(seed.parse(navion, "7"), Ok(7.0));
+    assert_eq!(seed.parse(navion, "1.5"), Err(ValueError::NotWhole));
+}

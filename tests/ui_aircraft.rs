@@ -250,3 +250,16 @@ fn one_mode_alone_is_drawn_without_the_forces_unless_a_person_chose_them() {
     fly(&mut harness, true);
     assert!(forces(&harness), "the choice stands");
 }
+
+#[test]
+fn who_looks_without_forces_does_so_after_a_mode_was_flown_too() {
+    let mut harness = pane(BANKED);
+    let overlays = Overlays { forces: false, ..Overlays::default() };
+    harness.state_mut().view.choose(overlays);
+    harness.run();
+    for is_one_mode in [true, false] {
+        harness.state_mut().is_one_mode = is_one_mode;
+        harness.run();
+        assert_eq!(harness.state().view.overlays, overlays);
+    }
+}

@@ -111,7 +111,6 @@ fn two_drags_are_two_steps_of_undo_however_quick() {
     let from = pole(&harness, "Short period");
     drag(&mut harness, from, Vec2::new(0.0, -20.0));
     let between = app(&harness).scenario().clone();
-    harness.run_steps(60);
     let from = pole(&harness, "Phugoid");
     drag(&mut harness, from, Vec2::new(-10.0, 0.0));
     assert_ne!(app(&harness).scenario(), &between);

@@ -2,8 +2,10 @@
 
 mod page;
 
+use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::flight::outputs::Output;
 use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into};
 
 fn motion(harness: &page::Page) -> eigenwing::flight::analysis::Motion {
@@ -170,4 +172,67 @@ fn nonlinear_flight_is_drawn_beside_the_linear_motion_and_says_where_it_ends() {
     assert_eq!(app(&harness).computations(), computations + 1, "only the new size");
     choose(&mut harness, "Aircraft", "Lesson 4, as printed");
     harness.get_by_label_contains("No nonlinear flight: this aircraft is given by its matrices");
+}
+
+/// What the pointer was on is forgotten with the plots, or nothing else could move the playback any more.
+#[test]
+fn the_playback_is_free_once_the_plots_are_gone() {
+    let mut harness = page(WIDE);
+    let plot = harness.get_by_label_contains("Δu in m/s against time").rect();
+    harness.hover_at(plot.center());
+    harness.run();
+    let time = |harness: &page::Page| {
+        let slider = harness.get_by_role_and_label(Role::Slider, "Time of the playback in s");
+        slider.accesskit_node().numeric_value().expect("a time")
+    };
+    assert!(time(&harness) > 20.0);
+    harness.key_press(Key::A);
+    harness.run();
+    harness.get_by_label("Back to the start").click_accesskit();
+    harness.run();
+    assert_eq!(time(&harness), 0.0);
+}
+
+/// The clock goes on where the plots are alone beside the sliders.
+#[test]
+fn the_motion_is_played_beside_the_sliders_too() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&pane=response");
+    let cursor = |harness: &page::Page| harness.query_all_by_label_contains("against time").count();
+    assert!(cursor(&harness) > 3);
+    harness.key_press(Key::Space);
+    harness.run_steps(20);
+    harness.key_press(Key::Space);
+    harness.run();
+    harness.key_press(Key::Escape);
+    harness.run();
+    let slider = harness.get_by_role_and_label(Role::Slider, "Time of the playback in s");
+    let time = slider.accesskit_node().numeric_value().expect("a time");
+    assert!(time > 1.0, "{time}");
+}
+
+/// Where a motion grows out of what is small, neither its picture nor its words go on.
+#[test]
+fn words_of_a_motion_end_where_the_linear_model_does() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&cm_q=9.96&cl_alpha=2&time=60");
+    let end = motion(&harness).small_until.expect("it grows");
+    let values = motion(&harness).values(Output::PitchAngle);
+    let until = (end / motion(&harness).response.dt).round() as usize;
+    let largest = values[..=until].iter().fold(0.0_f64, |most, value| most.max(value.abs())).to_degrees();
+    let words = said(&harness, "Δθ in deg against time");
+    let numbers: Vec<f64> = words
+        .split([' ', ','])
+        .filter_map(|word| word.replace('−', "-").parse::<f64>().ok())
+        .map(f64::abs)
+        .collect();
+    assert!(numbers.len() >= 3 && numbers.iter().all(|x| *x <= 1.02 * largest), "{words}, at most {largest}");
+}
+
+#[test]
+fn an_overshoot_is_told_once_there_can_be_no_more_of_it() {
+    let mut harness = page(WIDE);
+    // The speed has settled after minutes only.
+    open(&mut harness, "v=1&ac=navion&cd=0.3&time=5&tab=figures");
+    assert_eq!(harness.query_all_by_label("0 %").count(), 0);
 }

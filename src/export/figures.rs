@@ -120,10 +120,7 @@ impl OutputFigures {
             steady,
             rise_time: figures.and_then(|figures| figures.rise_time),
             settling_time: figures.and_then(|figures| figures.settling_time),
-            // None so far says nothing of a motion that is still on its way.
-            overshoot: figures
-                .filter(|figures| figures.overshoot > 0.0 || figures.settling_time.is_some())
-                .map(|figures| figures.overshoot),
+            overshoot: figures.and_then(|figures| figures.overshoot),
         }
     }
 }

@@ -79,6 +79,9 @@ pub enum ExportError {
     /// NaN or infinite.
     #[error("{0}: expected a finite number")]
     NotFinite(&'static str),
+    /// Between two whole numbers, where only those mean something.
+    #[error("{0}: expected a whole number")]
+    NotWhole(&'static str),
     /// Beyond anything with a meaning.
     #[error("{key}: {value} is beyond what is accepted, {low} to {high}")]
     Beyond {
@@ -189,6 +192,7 @@ pub(super) fn checked(
     }
     parameter.check(scenario, value).map_err(|error| match error {
         ValueError::NotFinite | ValueError::NotANumber(_) => ExportError::NotFinite(parameter.key),
+        ValueError::NotWhole => ExportError::NotWhole(parameter.key),
         ValueError::Absurd { .. } => {
             let accepted = parameter.accepted(scenario);
             let unit = parameter.dimension.si_symbol();

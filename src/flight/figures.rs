@@ -19,8 +19,9 @@ pub struct StepFigures {
     pub rise_time: Option<f64>,
     /// Time after the step from which it stays within [`SETTLED`] of the steady value \[s\]; `None` if not yet at the end.
     pub settling_time: Option<f64>,
-    /// How far it goes beyond the steady value, as a fraction of it; zero if it doesn't.
-    pub overshoot: f64,
+    /// How far it goes beyond the steady value, as a fraction of it: zero if it has settled without, `None` if it hasn't gone
+    /// beyond and may yet.
+    pub overshoot: Option<f64>,
 }
 
 /// Figures of the values of an output at samples `dt` apart, after a step at `start` that leads to `steady`.
@@ -45,7 +46,8 @@ pub fn step_figures(values: &[f64], dt: f64, start: f64, steady: f64) -> Option<
         }
         Some(_) => None,
     };
-    let overshoot = shares.iter().fold(0.0, |over: f64, share| over.max(share - 1.0));
+    let beyond = shares.iter().fold(0.0, |over: f64, share| over.max(share - 1.0));
+    let overshoot = Some(beyond).filter(|beyond| *beyond > 0.0 || settling_time.is_some());
     Some(StepFigures { steady, rise_time, settling_time, overshoot })
 }
 

@@ -68,6 +68,12 @@ impl ModeName {
             Self::Spiral => "Spiral",
         }
     }
+
+    /// The name as it stands within a sentence: "short period", but "Dutch roll".
+    pub fn in_a_sentence(self) -> String {
+        let text = self.text();
+        if text.starts_with("Dutch") { text.to_owned() } else { text.to_lowercase() }
+    }
 }
 
 /// A name, and why.

@@ -31,6 +31,8 @@ pub enum Dimension {
     Time,
     /// No unit.
     Number,
+    /// A whole number, without a unit.
+    Count,
     /// Per radian: coefficients.
     PerRadian,
     /// A ratio, shown in per cent.
@@ -54,6 +56,7 @@ impl Dimension {
             | Self::Frequency
             | Self::Load
             | Self::Number
+            | Self::Count
             | Self::PerRadian
             | Self::Length => 1.0,
             Self::Percent | Self::ShareOfWeight => 0.01,
@@ -79,7 +82,7 @@ impl Dimension {
             (Self::Frequency, _) => "rad/s",
             (Self::Load, _) => "g",
             (Self::Time, _) => "s",
-            (Self::Number, _) => "",
+            (Self::Number | Self::Count, _) => "",
             (Self::PerRadian, _) => "1/rad",
             (Self::Percent, _) => "%",
             (Self::ShareOfWeight, _) => "% of weight",
@@ -100,7 +103,7 @@ impl Dimension {
             Self::Angle => "rad",
             Self::AngularRate => "rad/s",
             Self::Time => "s",
-            Self::Number | Self::Percent | Self::ShareOfWeight => "",
+            Self::Number | Self::Count | Self::Percent | Self::ShareOfWeight => "",
             Self::PerRadian => "1/rad",
             Self::Length => "m",
             Self::PerLength => "1/m",

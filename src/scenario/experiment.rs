@@ -54,7 +54,7 @@ impl Scenario {
         let factor = if sigma_w > 0.0 { sizes.turbulence * sizes.times / sigma_w } else { 0.0 };
         air.intensity = air.intensity.map(|sigma| sigma * factor);
         let dt = sizes.time / (count - 1) as f64;
-        let samples = air.samples(sizes.seed.round() as u64, dt, count);
+        let samples = air.samples(sizes.seed as u64, dt, count);
         let component =
             |i: usize| Input::Samples { dt, values: samples.iter().map(|gust| gust[i]).collect() };
         match self.plane {

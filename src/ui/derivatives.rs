@@ -1,7 +1,8 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
 use egui::{
-    Align, Button, Event, Id, Key, Layout, RichText, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, Vec2,
+    Align, Button, Event, Id, Key, Layout, Modifiers, RichText, ScrollArea, Sense, Stroke, TextEdit, Ui,
+    UiBuilder, Vec2,
 };
 
 use super::number_field::number_field_ui;
@@ -140,7 +141,9 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
         if response.has_focus() {
             arrow_keys::keep(ui, &response);
         }
-        let pressed = ui.input(|input| input.key_pressed(SEARCH_KEY) && input.modifiers.is_none());
+        // On many keyboards it is typed with Shift.
+        let others = Modifiers { shift: false, ..ui.input(|input| input.modifiers) };
+        let pressed = ui.input(|input| input.key_pressed(SEARCH_KEY)) && others.is_none();
         if pressed && !ui.text_edit_focused() {
             response.request_focus();
             // The key itself isn't meant for the field.

@@ -84,15 +84,17 @@ const SHORTCUTS: [Shortcut; 12] = [
 ];
 
 /// Keys that a control takes for itself while it has focus.
-const OF_CONTROLS: [(&str, &str); 9] = [
+const OF_CONTROLS: [(&str, &str); 11] = [
     ("Tab, Shift Tab", "To the next control, and the one before"),
     ("← →", "On a slider: a fine step; with Shift ten times as far"),
+    ("Page up, down", "On a slider: ten fine steps"),
     ("Home, End", "On a slider: to its ends"),
     ("Delete", "On a slider: back to its reference, as by double click"),
     ("/", "Find a derivative"),
     ("Enter", "In a field: take the number; Esc leaves it as it was"),
     ("Arrow keys", "On a pole: move it; on the aircraft: turn the camera"),
     ("+ −", "On the pole map and the aircraft: nearer, farther"),
+    ("0, Home", "On the pole map: all poles in sight; 1 to 4 on the aircraft: standard views"),
     ("Double click", "On the heading of a pane: alone beside the sliders, and back"),
 ];
 
@@ -105,10 +107,9 @@ pub fn command(ui: &Ui) -> Option<Command> {
     let listing = Popup::is_any_open(ui.ctx());
     ui.input_mut(|input| {
         SHORTCUTS.iter().rev().find_map(|shortcut| {
-            let takes_text = shortcut.modifiers.is_none();
-            let taken = (typing && takes_text)
-                || (focused && shortcut.key == Key::Space)
-                || (listing && shortcut.key == Key::Escape);
+            // A field has its own undo.
+            let taken =
+                typing || (focused && shortcut.key == Key::Space) || (listing && shortcut.key == Key::Escape);
             // “?” is on another key of every keyboard, mostly with Shift; Esc is also a field's way to give up.
             let pressed = if matches!(shortcut.key, Key::Questionmark | Key::Escape) {
                 !taken && input.key_pressed(shortcut.key)

@@ -1,4 +1,5 @@
-//! The only cache: what follows from the scenario on screen, computed again only when the scenario has changed.
+//! What follows from the scenario on screen, computed again only when the scenario has changed. Only pictures are held elsewhere:
+//! curves, triangles and shapes, each beside what it was made of (`kept`).
 
 use crate::flight::analysis::{Motion, PlaneAnalysis};
 use crate::flight::coefficients::Coefficients;

@@ -29,8 +29,7 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>,
         DynamicStability::Unstable => {
             let growing = plane.modes.iter().filter_map(|mode| {
                 let doubles = mode.time_to_double()?;
-                let name = mode.naming.name.text();
-                let name = if name.starts_with("Dutch") { name.to_owned() } else { name.to_lowercase() };
+                let name = mode.naming.name.in_a_sentence();
                 Some(format!("the {name} doubles every {} s", significant(doubles, 2)))
             });
             format!("Dynamically unstable: {}", growing.collect::<Vec<_>>().join(", "))

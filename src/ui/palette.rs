@@ -58,7 +58,7 @@ pub struct Palette {
     pub sky: [Color32; 2],
     /// The ground near the viewer, and below the horizon.
     pub ground: [Color32; 2],
-    /// A field on the ground, and the lines between fields.
+    /// A field on the ground.
     pub field_on_ground: Color32,
     /// Lines between fields.
     pub line_on_ground: Color32,

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { open } from "./page.mjs";
+import { middle, open, until } from "./page.mjs";
 
 const PITCH_STIFFNESS = "pitch stiffness C_mα";
 
@@ -23,26 +23,11 @@ function assertPoles(state, expected) {
   });
 }
 
-// Waits until the state satisfies a condition; the page draws when it has time.
-async function until(state, condition, what) {
-  for (let i = 0; i < 100; i += 1) {
-    const now = await state();
-    if (condition(now)) return now;
-    await sleep(50);
-  }
-  return assert.fail(`not within 5 s: ${what}`);
-}
-
 async function choose(page, chooser, choice) {
   await page.getByRole("combobox", { name: chooser, exact: true }).dispatchEvent("click");
   const option = page.getByRole("option", { name: choice });
   await option.dispatchEvent("click");
   await option.waitFor({ state: "detached" });
-}
-
-async function middle(locator) {
-  const { x, y, width, height } = await locator.boundingBox();
-  return { x: x + width / 2, y: y + height / 2, width };
 }
 
 test("the page opens on the Navion with both modes named and at home", async (t) => {
@@ -223,15 +208,23 @@ test("lateral motion: Dutch roll, roll subsidence and spiral, as published", asy
 test("every aircraft of the list can be opened, in both planes where it has both", async (t) => {
   const { page, ready, state, seen } = await open(t);
   await ready();
-  const keys = new Set();
+  const [keys, lateral] = [new Set(), new Set()];
   await page.getByRole("combobox", { name: "Aircraft" }).dispatchEvent("click");
   await page.getByRole("option").first().waitFor({ state: "attached" });
   const names = await page.getByRole("option").allInnerTexts();
   await page.getByRole("option").first().dispatchEvent("click");
   for (const name of names) {
     await choose(page, "Aircraft", name);
-    keys.add((await until(state, (now) => !keys.has(now.aircraft) || names.length === 1, name)).aircraft);
+    const { aircraft } = await until(state, (now) => !keys.has(now.aircraft), name);
+    keys.add(aircraft);
+    const turn = page.getByRole("button", { name: "Lateral–directional", exact: true });
+    if (await turn.isDisabled()) continue;
+    await turn.dispatchEvent("click");
+    await until(state, (now) => now.analysis.lateral.modes.length >= 2, `${name}, lateral`);
+    lateral.add(aircraft);
+    await page.getByRole("button", { name: "Longitudinal", exact: true }).dispatchEvent("click");
   }
-  assert.ok(keys.size >= 16, `${[...keys]}`);
+  assert.equal(keys.size, names.length);
+  assert.ok(lateral.size > keys.size / 2 && !lateral.has("lesson"), `${[...lateral]}`);
   assert.deepEqual(seen.errors, []);
 });

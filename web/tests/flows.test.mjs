@@ -3,26 +3,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { open } from "./page.mjs";
+import { middle, open, until } from "./page.mjs";
 
 const PITCH_STIFFNESS = "pitch stiffness C_mα";
 const PLAYBACK = "Time of the playback in s";
-
-// Waits until something that the page says satisfies a condition; the page draws when it has time.
-async function until(found, condition, what) {
-  let last;
-  for (let i = 0; i < 100; i += 1) {
-    last = await found();
-    if (condition(last)) return last;
-    await sleep(50);
-  }
-  return assert.fail(`not within 5 s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
-}
-
-async function middle(locator) {
-  const { x, y, width, height } = await locator.boundingBox();
-  return { x: x + width / 2, y: y + height / 2, width };
-}
 
 const hands = (page) => ({
   button: (name) => page.getByRole("button", { name, exact: true }),

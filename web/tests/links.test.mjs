@@ -3,23 +3,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { open } from "./page.mjs";
+import { open, until } from "./page.mjs";
 
 const SHARE = /^Share link/;
 
 const fragment = (page) => new URL(page.url()).hash;
-
-// Waits until something holds; the page draws when it has time, writes the address twice a second at most, and has
-// no state (null) until its first frame after a load.
-async function until(found, condition, what) {
-  let last;
-  for (let i = 0; i < 200; i += 1) {
-    last = await found().catch(() => undefined);
-    if (last != null && condition(last)) return last;
-    await sleep(50);
-  }
-  return assert.fail(`not within 10 s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
-}
 
 const poles = (state) => ["longitudinal", "lateral"].flatMap((plane) =>
   (state.analysis[plane]?.modes ?? []).map(({ name, re, im }) => [name, re, im]),

@@ -7,6 +7,7 @@
 //     assert.equal((await state()).mass, 1200);
 //   });
 
+import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { after } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
@@ -159,4 +160,22 @@ export async function open(t, options = {}) {
     foreignRequests: () =>
       seen.requests.filter((request) => !request.startsWith(new URL(url).origin) && !/^(data|blob):/.test(request)),
   };
+}
+
+// Waits until what is found satisfies a condition, and gives it; the page draws when it has time. What can't be read yet,
+// such as a page that is being loaded again, is tried again.
+export async function until(found, condition, what) {
+  let last;
+  for (let i = 0; i < 200; i += 1) {
+    last = await found().catch(() => undefined);
+    if (last != null && condition(last)) return last;
+    await sleep(50);
+  }
+  return assert.fail(`not within 10 s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
+}
+
+// The middle of an element, and its width.
+export async function middle(locator) {
+  const { x, y, width, height } = await locator.boundingBox();
+  return { x: x + width / 2, y: y + height / 2, width };
 }

@@ -150,7 +150,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "seed",
         "sample",
         "number of the sample of turbulence",
-        (Dimension::Number, 1.0, 99.0),
+        (Dimension::Count, 1.0, 99.0),
         ("Which sample of turbulence: the same number is always the same air.", "A whole number."),
         |s| &mut s.seed,
     ),

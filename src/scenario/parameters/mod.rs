@@ -208,6 +208,9 @@ pub enum ValueError {
     /// NaN or infinite.
     #[error("only a finite number can be used here")]
     NotFinite,
+    /// Between two whole numbers, where only those mean something.
+    #[error("only a whole number can be used here")]
+    NotWhole,
     /// Beyond anything with a meaning.
     #[error("{value} is beyond anything meaningful here: {low} to {high} {unit} is accepted")]
     Absurd {
@@ -419,6 +422,9 @@ impl Parameter {
     ) -> Result<f64, ValueError> {
         if !value.is_finite() {
             return Err(ValueError::NotFinite);
+        }
+        if self.dimension == Dimension::Count && value.fract() != 0.0 {
+            return Err(ValueError::NotWhole);
         }
         if accepted.contains(&value) {
             return Ok(value);

@@ -55,12 +55,6 @@ impl Playback {
             self.time = time.clamp(0.0, self.end);
         }
     }
-
-    /// Another rate: so many steps up the list of [`RATES`].
-    pub fn change_rate(&mut self, steps: isize) {
-        let now = RATES.iter().position(|rate| *rate >= self.rate).unwrap_or(RATES.len() - 1);
-        self.rate = RATES[now.saturating_add_signed(steps).min(RATES.len() - 1)];
-    }
 }
 
 #[cfg(test)]
@@ -93,18 +87,5 @@ mod tests {
         empty.advance(1.0);
         empty.seek(f64::NAN);
         assert_eq!((empty.time, empty.is_playing), (0.0, false));
-    }
-
-    #[test]
-    fn rates_are_those_of_the_list() {
-        let mut playback = Playback::new(1.0);
-        let mut seen = Vec::new();
-        playback.change_rate(-9);
-        for _ in 0..RATES.len() {
-            seen.push(playback.rate);
-            playback.change_rate(1);
-        }
-        assert_eq!(seen, RATES);
-        assert_eq!(playback.rate, 4.0);
     }
 }

@@ -41,6 +41,8 @@ pub struct AircraftView {
     was_one_mode: Option<bool>,
     /// Whether a person has ticked or unticked the forces.
     forces_chosen: bool,
+    /// Whether the forces were shown before a mode was flown alone.
+    forces_before: Option<bool>,
 }
 
 impl AircraftView {
@@ -88,7 +90,13 @@ impl AircraftView {
         // The forces would hide what a mode does; but what a person has chosen stands.
         let before = self.was_one_mode.replace(picture.is_one_mode);
         if before.is_some_and(|before| before != picture.is_one_mode) && !self.forces_chosen {
-            self.overlays.forces = !picture.is_one_mode;
+            let shown = self.overlays.forces;
+            self.overlays.forces = if picture.is_one_mode {
+                self.forces_before = Some(shown);
+                false
+            } else {
+                self.forces_before.take().unwrap_or(true)
+            };
         }
         if ui.is_rect_visible(pane) {
             self.draw(ui, pane, picture);

@@ -14,7 +14,7 @@ use crate::ui::theme::{self, Palette};
 const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
-/// At the right end of a heading, for the button that takes the pane over the page.
+/// At the right end of a heading, for the button that puts the pane alone beside the sliders.
 const CORNER: f32 = 22.0;
 
 impl App {
@@ -47,6 +47,12 @@ impl App {
             if let Some(pane) = self.view.maximised {
                 let room = ui.available_rect_before_wrap();
                 self.pane_ui(ui, pane, room);
+                if pane != Pane::Response {
+                    self.view.responses.leave();
+                }
+                if pane != Pane::Aircraft {
+                    self.play(ui);
+                }
                 return None;
             }
             if wide {
@@ -114,6 +120,13 @@ impl App {
                 }
             });
         });
+        if self.view.phone_pane != PhonePane::Response {
+            self.view.responses.leave();
+        }
+        if self.view.phone_pane != PhonePane::Derivatives {
+            // Nobody is at a slider.
+            self.view.touched = None;
+        }
         let pane = |ui: &mut Ui| match self.view.phone_pane {
             PhonePane::Derivatives => {
                 self.derivatives_ui(ui, Rows::Touch);

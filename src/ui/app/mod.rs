@@ -14,6 +14,7 @@ use scene::{Scene, name};
 
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::naming::ModeName;
 use crate::flight::plane::Plane;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::link::{self, Details, LinkView, Pane, Sight};
@@ -90,6 +91,8 @@ struct View {
     strongest: Strongest,
     phone_pane: PhonePane,
     details: Details,
+    /// The mode that is flown alone: its plane, its place among the modes, and its name.
+    held: Option<(Plane, usize, ModeName)>,
     /// What disturbed each plane, and for how long it was watched \[s\], before a mode was flown alone.
     before_flight: [Option<(Choice, f64)>; 2],
 }
@@ -148,6 +151,7 @@ impl App {
                 strongest: Strongest::default(),
                 phone_pane: PhonePane::default(),
                 details: Details::default(),
+                held: None,
                 before_flight: [None; 2],
             },
         })
@@ -246,6 +250,10 @@ impl App {
             self.history.add_undo(&self.scene());
             hand = self.view.poles.edit(ui, &mut self.scenario, &self.memo, self.view.page);
         }
+        if ui.input(|input| input.pointer.any_pressed()) {
+            // What was edited just before a drag is a step of its own.
+            self.history.add_undo(&self.scene());
+        }
         let mut action = keys::command(ui).and_then(|command| self.obey(ui, command));
         let width = ui.content_rect().width();
         let phone = width < PHONE;
@@ -284,13 +292,18 @@ impl App {
         }
         self.share.copied_ui(ui);
         self.follow(ui);
+        self.hold_mode();
         if !self.memo.is_of(&self.scenario, self.view.page) {
             // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
             ui.request_discard("the scenario changed");
         }
+        let (is_held, is_let_go) = ui.input(|input| (input.pointer.any_down(), input.pointer.any_released()));
         match hand {
+            _ if is_let_go => self.keep(ui),
             Hand::LetsGo => self.keep(ui),
             Hand::Takes | Hand::Holds => {}
+            // However long a slider is held still, its drag isn't over.
+            Hand::Away if is_held => {}
             Hand::Away => self.history.feed_state(ui.input(|input| input.time), &self.scene()),
         }
     }
@@ -326,6 +339,26 @@ impl App {
         }
     }
 
+    /// Keeps flying the mode that is flown alone where another has come before it in the order of the modes.
+    fn hold_mode(&mut self) {
+        let plane = self.scenario.plane;
+        let choice = *self.scenario.disturbance.choice(plane);
+        let Some(analysed) = self.memo.plane().filter(|_| choice.source == Source::OneMode) else {
+            self.view.held = None;
+            return;
+        };
+        let name = |index: usize| analysed.modes.get(index).map(|mode| mode.naming.name);
+        let moved_to = match self.view.held {
+            Some((of, index, held)) if (of, index) == (plane, choice.mode) && name(index) != Some(held) => {
+                analysed.modes.iter().position(|mode| mode.naming.name == held)
+            }
+            _ => None,
+        };
+        let index = moved_to.unwrap_or(choice.mode);
+        self.view.held = name(index).map(|name| (plane, index, name));
+        self.scenario.disturbance.choice_mut(plane).mode = index;
+    }
+
     /// Does what a key asks for, or says what is to be done last in the frame.
     fn obey(&mut self, ui: &Ui, command: Command) -> Option<Action> {
         match command {
@@ -355,7 +388,7 @@ impl App {
         let before = &mut self.view.before_flight[plane as usize];
         if flown {
             let standard = Disturbance::default();
-            let (choice, time) = before.take().unwrap_or((*standard.choice(plane), standard.sizes.time));
+            let (choice, time) = before.unwrap_or((*standard.choice(plane), standard.sizes.time));
             *disturbance.choice_mut(plane) = choice;
             disturbance.sizes.time = time;
             return;

@@ -43,7 +43,17 @@ impl App {
 
     pub(super) fn ghost_memo_refresh(&mut self) {
         if let Some(ghost) = &self.ghost {
-            self.ghost_memo.refresh(&self.compared(ghost), Page::Disturbance);
+            let mut compared = self.compared(ghost);
+            let own = compared.disturbance.choice(compared.plane).mode;
+            let flown = self.memo.plane().and_then(|plane| plane.modes.get(own)).map(|mode| mode.naming.name);
+            // The second time where its modes weren't known before.
+            for _ in 0..2 {
+                // Of one mode alone the same mode, whatever its place among the others.
+                let modes = self.ghost_memo.plane().map_or(&[][..], |plane| &plane.modes);
+                let place = modes.iter().position(|mode| Some(mode.naming.name) == flown);
+                compared.disturbance.choice_mut(compared.plane).mode = place.unwrap_or(own);
+                self.ghost_memo.refresh(&compared, Page::Disturbance);
+            }
         }
     }
 
@@ -97,7 +107,11 @@ impl App {
         let Self { memo, scenario, ghost, ghost_memo, view, problem_said, .. } = self;
         memo.refresh(scenario, view.page);
         view.responses.choosers_ui(ui, scenario, memo.plane().map_or(&[], |plane| &plane.modes));
-        memo.refresh(scenario, view.page);
+        if !memo.is_of(scenario, view.page) {
+            // The aircraft and what is pinned have been brought to the disturbance as it was.
+            ui.request_discard("the disturbance changed");
+            memo.refresh(scenario, view.page);
+        }
         if view.responses.shows_flight() {
             memo.refresh_flight();
         }

@@ -144,8 +144,9 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
             let criterion = boundary.criterion;
             title(ui, &boundaries::text(&boundary), criterion.concerns());
             let bound = if boundary.requirement.is_minimum { "At least" } else { "At most" };
+            let mode = criterion.concerns().in_a_sentence();
             let source = seen.scenario.task().map(|task| criterion.table(task.category)).unwrap_or_default();
-            ui.label(format!("{bound} that, for the {}.", criterion.concerns().text()));
+            ui.label(format!("{bound} that, for the {mode}."));
             let source = format!("MIL-F-8785C {}, {source}", criterion.paragraph());
             ui.label(RichText::new(source).font(theme::small()).color(palette.weak));
         }

@@ -157,5 +157,6 @@ fn step_ui(ui: &mut Ui, figures: Option<StepFigures>) {
     let seconds = |time: Option<f64>| time.map_or_else(none, |t| format!("{} s", significant(t, 3)));
     ui.label(seconds(figures.and_then(|f| f.rise_time)));
     ui.label(seconds(figures.and_then(|f| f.settling_time)));
-    ui.label(figures.map_or_else(none, |f| format!("{} %", significant(100.0 * f.overshoot, 3))));
+    let overshoot = figures.and_then(|f| f.overshoot);
+    ui.label(overshoot.map_or_else(none, |share| format!("{} %", significant(100.0 * share, 3))));
 }

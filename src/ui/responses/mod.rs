@@ -89,6 +89,11 @@ impl Responses {
         self.time.hovered().filter(|_| self.tab == Tab::Time)
     }
 
+    /// Forgets what the pointer was on: for frames in which the plots aren't drawn.
+    pub fn leave(&mut self) {
+        self.time.leave();
+    }
+
     /// Where the cursor stands while the pointer is elsewhere \[s\].
     pub fn set_time(&mut self, time: f64) {
         self.time.played = Some(time).filter(|time| *time > 0.0);
@@ -120,7 +125,7 @@ impl Responses {
         let seen = Seen { studied, ghost, palette: Palette::of(ui), rows, beside };
         match self.tab {
             Tab::Time => self.time.show(ui, seen),
-            Tab::Phase => self.phase.show(ui, seen, self.time.cursor()),
+            Tab::Phase => self.phase.show(ui, seen, self.time.played),
             Tab::Frequency => self.frequency.show(ui, seen),
             Tab::Figures => figures::figures_ui(ui, studied, ghost),
         }

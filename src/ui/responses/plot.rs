@@ -60,7 +60,8 @@ impl Curve {
         Self { drawn: count, ..self }
     }
 
-    fn drawn_part(&self) -> &[PlotPoint] {
+    /// Its points as far as they are drawn.
+    pub fn drawn_part(&self) -> &[PlotPoint] {
         &self.points[..self.points.len().min(self.drawn)]
     }
 
@@ -155,7 +156,7 @@ impl Picture {
 
     fn words(&self) -> String {
         let symbol = Symbol::parse(&self.symbol).plain();
-        let points = self.curves.first().map_or(&[][..], |curve| &curve.points);
+        let points = self.curves.first().map_or(&[][..], Curve::drawn_part);
         let extreme =
             |pick: fn(f64, f64) -> f64| points.iter().map(|point| point.y).reduce(pick).unwrap_or(0.0);
         let last = points.last().map_or(0.0, |point| point.y);
@@ -188,7 +189,7 @@ impl SmallPlot {
         picture: &mut Picture,
         cursor: Option<f64>,
     ) -> Option<f64> {
-        let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| at(&curve.points, x));
+        let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| at(curve.drawn_part(), x));
         title(ui, rect, picture, value);
         let (x, y) = picture.ranges();
         let (x, y) = (self.x.toward(ui, x), self.y.toward(ui, y));
@@ -437,10 +438,11 @@ fn decades(range: &RangeInclusive<f64>) -> Vec<Mark> {
 fn at(points: &[PlotPoint], x: f64) -> Option<f64> {
     let i = points.partition_point(|point| point.x <= x);
     let (a, b) = (points.get(i.checked_sub(1)?)?, points.get(i));
-    Some(match b {
-        Some(b) if b.x > a.x => a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x),
-        _ => a.y,
-    })
+    match b {
+        Some(b) => Some(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)),
+        // At its very end, though not beyond.
+        None => (x - a.x <= 1e-9 * a.x.abs()).then_some(a.y),
+    }
 }
 
 #[cfg(test)]

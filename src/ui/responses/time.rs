@@ -99,8 +99,13 @@ impl TimePlots {
         self.hovered
     }
 
+    /// Forgets the time under the pointer.
+    pub fn leave(&mut self) {
+        self.hovered = None;
+    }
+
     /// Where the cursor stands \[s\]: under the pointer, else where the playback is.
-    pub fn cursor(&self) -> Option<f64> {
+    fn cursor(&self) -> Option<f64> {
         self.hovered.or(self.played)
     }
 
