@@ -453,7 +453,8 @@ fn the_embedded_fonts_have_every_character_of_every_text() {
 fn a_mode_is_flown_alone_from_its_card_and_given_up_again() {
     let mut harness = page(WIDE);
     harness.get_by_label("Fly the Phugoid alone").click();
-    harness.run();
+    harness.run_steps(4);
+    harness.get_by_label("Pause");
     let choice = app(&harness).scenario().disturbance.longitudinal;
     assert_eq!((choice.source, choice.mode), (Source::OneMode, 1));
     harness.get_by_label("Stop flying the Phugoid alone").click();

@@ -10,7 +10,8 @@ use eigenwing::content::shapes::embedded_shape;
 use eigenwing::shape::{Deflections, Model, Shape};
 use eigenwing::ui::App;
 use eigenwing::ui::aircraft::{
-    AircraftView, Attitude, Axis, Forces, Moment, Overlays, Picture, Playback, StandardView, transport_ui,
+    AircraftView, Attitude, Axis, Figures, Forces, Moment, Overlays, Picture, Playback, StandardView,
+    transport_ui,
 };
 
 /// Built once.
@@ -47,6 +48,7 @@ impl Pane {
             model: &NAVION.1,
             finish: NAVION.0.finish,
             attitude: self.attitude,
+            figures: Figures { attitude: self.attitude, alpha: 0.05, beta: 0.02, height: 5.0 },
             position: [99.0, 0.0, -5.0],
             steady_position: [99.0, 0.0, 0.0],
             speed: 53.6,

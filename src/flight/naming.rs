@@ -69,10 +69,13 @@ impl ModeName {
         }
     }
 
-    /// The name as it stands within a sentence: "short period", but "Dutch roll".
+    /// The name as it stands within a sentence: "short period", but "Dutch roll"; "roll mode", which may grow too.
     pub fn in_a_sentence(self) -> String {
-        let text = self.text();
-        if text.starts_with("Dutch") { text.to_owned() } else { text.to_lowercase() }
+        match self {
+            Self::RollSubsidence => "roll mode".to_owned(),
+            _ if self.text().starts_with("Dutch") => self.text().to_owned(),
+            _ => self.text().to_lowercase(),
+        }
     }
 }
 

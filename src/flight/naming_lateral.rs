@@ -128,32 +128,29 @@ fn explain(name: ModeName, shape: &Shape, shapes: &[Shape]) -> Naming {
         ModeName::RollSubsidence if shape.grows() => (
             p,
             format!(
-                "Roll rate carries {} of it, and it grows: the wing drives the roll on.{four}",
-                percent(p)
+                "{}, and it grows: no longer a subsidence, the wing drives the roll on.{four}",
+                carried(shape, 1)
             ),
         ),
-        ModeName::RollSubsidence => (
-            p,
-            format!(
-                "Roll rate carries {} of it: a roll that dies out without oscillating.{four}",
-                percent(p)
-            ),
-        ),
+        ModeName::RollSubsidence => {
+            (p, format!("{}: a roll that dies out without oscillating.{four}", carried(shape, 1)))
+        }
         _ if shape.grows() && is_faster_than_the_roll(shape, shapes) => (
             phi,
             format!(
-                "Bank angle carries {} of it, and it grows faster than a roll dies out: no longer a slow spiral, the wing drives it.{four}",
-                percent(phi)
+                "{}, and it grows faster than a roll dies out: no longer a slow spiral, the wing drives it.{four}",
+                carried(shape, 3)
             ),
         ),
         _ if shape.grows() => (
             phi,
             format!(
-                "Bank angle carries {} of it, and it grows: the turn tightens slowly.{four}",
-                percent(phi)
+                "{}, and it grows: the turn tightens{}.{four}",
+                carried(shape, 3),
+                pace(shape, "doubling")
             ),
         ),
-        _ => (phi, format!("Bank angle carries {} of it: the wings come level slowly.{four}", percent(phi))),
+        _ => (phi, format!("{}: the wings come level{}.{four}", carried(shape, 3), pace(shape, "by half"))),
     };
     let reason = match neighbour(shape, shapes) {
         Some(ratio) => {
@@ -164,9 +161,31 @@ fn explain(name: ModeName, shape: &Shape, shapes: &[Shape]) -> Naming {
     naming(name, confidence, reason)
 }
 
-/// Whether this root is farther from zero than every real root that dies away.
+/// How much of a mode one of the states β, p, r, φ carries, and which carries more, if any does.
+fn carried(shape: &Shape, state: usize) -> String {
+    const STATES: [&str; 4] = ["Sideslip", "Roll rate", "Yaw rate", "Bank angle"];
+    let share = |k: usize| shape.participation[k];
+    let most = (0..4).max_by(|&i, &j| share(i).total_cmp(&share(j))).unwrap_or(state);
+    let own = format!("{} carries {} of it", STATES[state], percent(share(state)));
+    if share(most) <= share(state) {
+        return own;
+    }
+    format!("{own}, {} even {}", STATES[most].to_lowercase(), percent(share(most)))
+}
+
+/// A spiral that takes longer than this to double or halve is slow \[s\]: Level 1 in Category B, MIL-F-8785C §3.3.1.3.
+const SLOW: f64 = 20.0;
+
+/// How fast a real root grows or dies away, as the end of a sentence.
+fn pace(shape: &Shape, what: &str) -> String {
+    let time = std::f64::consts::LN_2 / shape.lambda.re.abs();
+    if time < SLOW { format!(", {what} every {} s", significant(time, 2)) } else { " slowly".to_owned() }
+}
+
+/// Whether this root is farther from zero than every real root that dies away, of which there is one.
 fn is_faster_than_the_roll(shape: &Shape, shapes: &[Shape]) -> bool {
-    shapes.iter().all(|s| s.oscillates() || s.grows() || s.lambda.norm() < shape.lambda.norm())
+    shapes.iter().any(|s| !s.oscillates() && !s.grows())
+        && shapes.iter().all(|s| s.oscillates() || s.grows() || s.lambda.norm() < shape.lambda.norm())
 }
 
 /// With two oscillations, the ratio of their |λ| in words.

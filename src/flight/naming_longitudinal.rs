@@ -112,12 +112,15 @@ fn explain(name: ModeName, shape: &Shape, names: &[ModeName]) -> Naming {
             short_period_share,
             format!("A real root that grows, with α and q carrying {fast} of it: the nose keeps going."),
         ),
-        ModeName::Divergence => (
-            1.0 - short_period_share,
-            format!(
-                "A real root that grows, with speed and pitch attitude carrying {slow} of it: the aircraft keeps leaving its speed."
-            ),
-        ),
+        ModeName::Divergence => {
+            let left = if shape.participation[3] > shape.participation[0] { "attitude" } else { "speed" };
+            (
+                1.0 - short_period_share,
+                format!(
+                    "A real root that grows, with speed and pitch attitude carrying {slow} of it: the aircraft keeps leaving its {left}."
+                ),
+            )
+        }
         _ if shape.participation[1] < STILL => (
             1.0 - short_period_share,
             format!("Speed and pitch attitude carry {slow} of it: they trade energy at nearly constant α."),

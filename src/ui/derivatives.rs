@@ -248,7 +248,8 @@ fn row_ui(
         theme::make_low(ui, LOW_FIELD);
         symbol_ui(ui, &symbol, 16.0, palette.text, Some(SYMBOL_WIDTH));
         let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
-        let bars_width = influence::BAR_WIDTH * outlook.modes.len() as f32;
+        // Room for as many as there can be: a slider must not change its length where two roots meet.
+        let bars_width = influence::BAR_WIDTH * 4.0;
         let rest = FIELD_WIDTH + unit_width + bars_width + RESET_WIDTH + 6.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {
             name: &name,

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use egui::Ui;
 
 use super::aircraft::{
-    AircraftView, Attitude, Axis, Camera, Forces, Moment, Picture, Playback, transport_ui,
+    AircraftView, Attitude, Axis, Camera, Figures, Forces, Moment, Picture, Playback, transport_ui,
 };
 use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
@@ -66,6 +66,17 @@ impl FlightPane {
         }
     }
 
+    /// Plays from the beginning.
+    pub fn start(&mut self) {
+        self.playback.time = 0.0;
+        self.playback.is_playing = true;
+    }
+
+    /// Stands still.
+    pub fn pause(&mut self) {
+        self.playback.is_playing = false;
+    }
+
     /// Plays, or pauses.
     pub fn toggle(&mut self) {
         self.playback.toggle();
@@ -93,7 +104,9 @@ impl FlightPane {
         let room = (ui.available_height() - bar).max(80.0);
         let (time, exaggeration) = (self.playback.time, flown.exaggeration());
         let pose = flown.pose(time, exaggeration);
-        let Pose { attitude: [phi, theta, psi], rates, alpha, beta, position, steady_position, .. } = pose;
+        let own = if exaggeration == 1.0 { pose } else { flown.pose(time, 1.0) };
+        let attitude = |[phi, theta, psi]: [f64; 3]| Attitude { phi, theta, psi };
+        let Pose { rates, alpha, beta, position, steady_position, .. } = pose;
         let path = flown.path(time, PATH, exaggeration);
         let moments: Vec<Moment<'_>> = flown
             .moments(time)
@@ -105,8 +118,12 @@ impl FlightPane {
                 color: if moment.damps { palette.good } else { palette.warning },
             })
             .collect();
-        let note = (exaggeration != 1.0)
-            .then(|| format!("One mode alone, {} × as large as it is", trimmed(exaggeration, 3)));
+        let note = (exaggeration != 1.0).then(|| {
+            format!(
+                "One mode alone, drawn {} × as large as it is; the figures are its own",
+                trimmed(exaggeration, 3)
+            )
+        });
         let Self { view, playback, models } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
@@ -114,7 +131,13 @@ impl FlightPane {
             name: &flown.scenario.aircraft.name,
             model,
             finish: *finish,
-            attitude: Attitude { phi, theta, psi },
+            attitude: attitude(pose.attitude),
+            figures: Figures {
+                attitude: attitude(own.attitude),
+                alpha: own.alpha,
+                beta: own.beta,
+                height: own.steady_position[2] - own.position[2],
+            },
             position,
             steady_position,
             speed: flown.motion.model.trim.speed,

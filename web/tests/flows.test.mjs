@@ -181,8 +181,7 @@ test("by mouse: fly a mode, maximise by double click, drag a pole", async (t) =>
     const before = await state();
     await click(button("Fly the Short period alone"));
     await until(state, (now) => now.disturbance === "One mode", "flown alone");
-    await click(button("Play"));
-    await until(playback, (time) => time > 0.2, "time goes on");
+    await until(playback, (time) => time > 0.2, "it plays at once");
     await click(button("Pause"));
     await counts(button("Play"), 1, "paused");
     await rest();

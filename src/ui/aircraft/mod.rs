@@ -15,7 +15,7 @@ mod transport;
 mod view;
 
 pub use camera::{Camera, StandardView};
-pub use picture::{Attitude, Axis, Forces, Moment, Picture};
+pub use picture::{Attitude, Axis, Figures, Forces, Moment, Picture};
 pub use playback::{Playback, RATES};
 pub use transport::transport_ui;
 pub use view::AircraftView;

@@ -96,14 +96,20 @@ impl Easel<'_> {
         self.name(tip, symbol, words, color);
     }
 
-    /// An arc with its value.
-    fn angle(&mut self, frame: (Point, Point, Point), angle: f64, symbol: &str, color: Color32) {
+    /// An arc with its value: the angle as drawn, and as it is.
+    fn angle(
+        &mut self,
+        frame: (Point, Point, Point),
+        (angle, own): (f64, f64),
+        symbol: &str,
+        color: Color32,
+    ) {
         if angle.abs() < SMALLEST_ANGLE {
             return;
         }
         let pen = self.pen(color, 1.6);
         let tip = arc(self.painter, &self.lens, pen, frame, finite(angle));
-        self.name(tip, symbol, &degrees(angle), color);
+        self.name(tip, symbol, &degrees(own), color);
     }
 
     /// Everything that is chosen.
@@ -150,7 +156,8 @@ impl Easel<'_> {
 
     /// ψ in the level plane, θ in the upright one, φ about the body's x: each in the plane in which it turns.
     fn angles(&mut self) {
-        let attitude = self.picture.attitude;
+        let Picture { attitude, figures, .. } = *self.picture;
+        let own = figures.attitude;
         let color = self.palette.earth_axes;
         let r = ANGLE_ARC * self.nose();
         let (sin, cos) = finite(attitude.psi).sin_cos();
@@ -159,23 +166,28 @@ impl Easel<'_> {
         let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
         if attitude.psi.abs() >= SMALLEST_ANGLE {
             plain(self.painter, &self.lens, dashed, Point::zeros(), north * r);
-            self.angle((Point::zeros(), north * r, east * r), attitude.psi, "ψ", color);
+            self.angle((Point::zeros(), north * r, east * r), (attitude.psi, own.psi), "ψ", color);
         }
         if attitude.theta.abs() >= SMALLEST_ANGLE {
             plain(self.painter, &self.lens, dashed, Point::zeros(), heading * r);
-            self.angle((Point::zeros(), heading * r, -Point::z() * r), attitude.theta, "θ", color);
+            self.angle(
+                (Point::zeros(), heading * r, -Point::z() * r),
+                (attitude.theta, own.theta),
+                "θ",
+                color,
+            );
         }
         if attitude.phi.abs() >= SMALLEST_ANGLE {
             // Level to the right, and what stands below it, across the body's x axis.
             let below = (self.rotation * Point::x()).cross(&side);
             plain(self.painter, &self.lens, dashed, Point::zeros(), side * r);
-            self.angle((Point::zeros(), side * r, below * r), attitude.phi, "φ", color);
+            self.angle((Point::zeros(), side * r, below * r), (attitude.phi, own.phi), "φ", color);
         }
     }
 
     /// V, its projection into the plane of symmetry, α from the x axis to that and β from that to V.
     fn flow(&mut self) {
-        let Picture { alpha, beta, .. } = *self.picture;
+        let Picture { alpha, beta, figures, .. } = *self.picture;
         let color = self.palette.velocity;
         let r = VELOCITY * self.nose();
         // V = (cos α cos β, sin β, sin α cos β)
@@ -187,11 +199,11 @@ impl Easel<'_> {
         let velocity = in_plane * cos + y * sin;
         self.arrow(velocity * r, (color, 2.4), ("V", ""));
         let arc = FLOW_ARC * self.nose();
-        self.angle((Point::zeros(), x * arc, z * arc), alpha, "α", color);
+        self.angle((Point::zeros(), x * arc, z * arc), (alpha, figures.alpha), "α", color);
         if beta.abs() >= SMALLEST_ANGLE {
             let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
             plain(self.painter, &self.lens, dashed, Point::zeros(), in_plane * arc);
-            self.angle((Point::zeros(), in_plane * arc, y * arc), beta, "β", color);
+            self.angle((Point::zeros(), in_plane * arc, y * arc), (beta, figures.beta), "β", color);
         }
     }
 

@@ -15,17 +15,19 @@ pub struct Picture<'a> {
     pub model: &'a Model,
     /// Its paint.
     pub finish: Finish,
-    /// Where it points.
+    /// Where it points, as drawn.
     pub attitude: Attitude,
+    /// What its angles are, however much larger they are drawn.
+    pub figures: Figures,
     /// Where it is: north, east, down from where the flight began \[m\].
     pub position: [f64; 3],
     /// Where undisturbed flight would have brought it: north, east, down \[m\].
     pub steady_position: [f64; 3],
     /// Speed of undisturbed flight \[m/s\]: sets the size of the fields below.
     pub speed: f64,
-    /// Angle of attack α \[rad\], positive where the air comes from below.
+    /// Angle of attack α \[rad\] as drawn, positive where the air comes from below.
     pub alpha: f64,
-    /// Sideslip β \[rad\], positive where the air comes from the right.
+    /// Sideslip β \[rad\] as drawn, positive where the air comes from the right.
     pub beta: f64,
     /// Roll, pitch and yaw rate p, q, r \[rad/s\].
     pub rates: [f64; 3],
@@ -54,6 +56,19 @@ pub struct Attitude {
     pub theta: f64,
     /// Heading ψ from that of undisturbed flight, nose right positive.
     pub psi: f64,
+}
+
+/// What words and labels tell of a moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figures {
+    /// Where it points.
+    pub attitude: Attitude,
+    /// Angle of attack α \[rad\], positive where the air comes from below.
+    pub alpha: f64,
+    /// Sideslip β \[rad\], positive where the air comes from the right.
+    pub beta: f64,
+    /// Height over that of undisturbed flight \[m\].
+    pub height: f64,
 }
 
 /// The four forces, each over the weight, in body axes: x forward, y right, z down.
@@ -123,17 +138,16 @@ impl Picture<'_> {
 
     /// The picture in a sentence, for those who can't see it.
     pub fn sentence(&self) -> String {
-        let Attitude { phi, theta, psi } = self.attitude;
-        let altitude = self.steady_position[2] - self.position[2];
+        let Figures { attitude: Attitude { phi, theta, psi }, alpha, beta, height } = self.figures;
         let mut sentence = format!(
             "{}: pitch {}, bank {}, heading {}, angle of attack {}, sideslip {}, altitude {} m from steady flight",
             self.name,
             degrees(theta),
             degrees(phi),
             degrees(psi),
-            degrees(self.alpha),
-            degrees(self.beta),
-            significant(altitude, 3),
+            degrees(alpha),
+            degrees(beta),
+            significant(height, 3),
         );
         if let Some(note) = self.note {
             sentence.push_str(". ");

@@ -391,6 +391,7 @@ impl App {
             let (choice, time) = before.unwrap_or((*standard.choice(plane), standard.sizes.time));
             *disturbance.choice_mut(plane) = choice;
             disturbance.sizes.time = time;
+            self.view.flight.pause();
             return;
         }
         let choice = *disturbance.choice(plane);
@@ -399,6 +400,9 @@ impl App {
         }
         *disturbance.choice_mut(plane) = Choice { source: Source::OneMode, mode: index, ..choice };
         disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
+        self.view.flight.start();
+        // On a phone the aircraft is on another page than the card.
+        self.view.phone_pane = PhonePane::Aircraft;
     }
 
     fn apply(&mut self, action: Action, ui: &Ui) {
