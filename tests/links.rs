@@ -8,7 +8,7 @@ use eigenwing::flight::plane::Plane;
 use eigenwing::scenario::link::{
     self, Details, LONGEST, LinkView, Marks, Notice, Opened, Overlays, Pane, Sight, Tab, Viewpoint,
 };
-use eigenwing::scenario::{Page, Parameter, Quantity, Scenario, Source, parameters};
+use eigenwing::scenario::{Dimension, Page, Parameter, Quantity, Scenario, Source, parameters};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
@@ -344,6 +344,7 @@ fn no_scene_is_too_long_for_a_link() {
     for p in parameters() {
         let range = p.range(&scene);
         let value = 0.3 / 7.0 * range.start() + (1.0 - 0.3 / 7.0) * range.end();
+        let value = if p.dimension == Dimension::Count { value.round() } else { value };
         match p.added(&scene) {
             Some(_) => p.set_added(&mut scene, value),
             None => p.set(&mut scene, value),

@@ -66,12 +66,12 @@ impl Category {
         }
     }
 
-    /// The same where there is little room.
-    pub const fn short(self) -> &'static str {
+    /// The letter of the category.
+    pub const fn letter(self) -> &'static str {
         match self {
-            Self::ACombat | Self::A => "Cat A",
-            Self::B => "Cat B",
-            Self::C => "Cat C",
+            Self::ACombat | Self::A => "A",
+            Self::B => "B",
+            Self::C => "C",
         }
     }
 

@@ -80,7 +80,7 @@ impl Scenario {
         let (_, slowest) = lengths.into_iter().find(seen)?;
         let disturbance = self.disturbance.input(self.plane);
         let end = disturbance.and_then(|(_, input)| input.edges().last()).unwrap_or(0.0);
-        Some(slowest.max(end).min(LONGEST))
+        Some(slowest.max(end + LENGTHS.0).min(LONGEST))
     }
 
     /// Whether a mode is visible in the motion of so much time \[s\]; all are where they can't be told apart.

@@ -1,8 +1,8 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
 use egui::{
-    Align, Button, Event, Id, Key, Layout, Modifiers, RichText, ScrollArea, Sense, Stroke, TextEdit, Ui,
-    UiBuilder, Vec2,
+    Align, Button, Event, Id, Key, Layout, Modifiers, RichText, ScrollArea, Sense, Stroke, TextEdit,
+    TextWrapMode, Ui, UiBuilder, Vec2,
 };
 
 use super::number_field::number_field_ui;
@@ -17,7 +17,7 @@ use crate::number::trimmed;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
 
-const SYMBOL_WIDTH: f32 = 58.0;
+const SYMBOL_WIDTH: f32 = 52.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
 const COMPACT_FIELD: f32 = 44.0;
@@ -294,6 +294,7 @@ fn row_ui(
             Layout::left_to_right(Align::Center),
             |ui| {
                 ui.set_min_width(unit_width);
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
                 unit_ui(ui, unit, in_effect.filter(|moved| trimmed(*moved, 3) != trimmed(value, 3)));
             },
         );
@@ -335,7 +336,8 @@ fn unit_ui(ui: &mut Ui, unit: &str, in_use: Option<f64>) {
     };
     let number = trimmed(in_use, 3);
     let used = |ui: &mut Ui| {
-        let text = RichText::new(format!("▸ {number}")).font(theme::semibold(10.5)).color(palette.warning);
+        let text =
+            RichText::new(format!("▸\u{a0}{number}")).font(theme::semibold(10.5)).color(palette.warning);
         ui.label(text).on_hover_text("The value in use, as the knobs and the flight condition make it");
     };
     if unit.is_empty() {
@@ -387,7 +389,10 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     }
     field.response.on_hover_text(hover);
     if let Some(refusal) = field.refusal {
+        // In a row of its own, not between the fields.
+        ui.end_row();
         refusal.show(ui);
+        ui.end_row();
     }
     if let Some(value) = field.accepted {
         parameter.set(scenario, value);

@@ -98,6 +98,9 @@ const OF_CONTROLS: [(&str, &str); 11] = [
     ("Double click", "On the heading of a pane: alone beside the sliders, and back"),
 ];
 
+/// On a narrower page the sheet has one column.
+const NARROW: f32 = 520.0;
+
 /// What the person's keys ask for; nothing while they type in a field.
 pub fn command(ui: &Ui) -> Option<Command> {
     let typing = ui.text_edit_focused();
@@ -126,21 +129,31 @@ pub fn sheet_ui(ui: &Ui) -> bool {
     let palette = Palette::of(ui);
     let frame = egui::Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(egui::Id::unique("keys")).frame(frame).show(ui, |ui| {
-        ui.set_max_width(460.0);
+        ui.set_max_width((ui.content_rect().width() - 64.0).min(460.0));
         theme::heading(ui, RichText::new("Keys").heading().size(16.0), 2);
         let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
+        let narrow = ui.content_rect().width() < NARROW;
         let rows = |ui: &mut Ui| {
             for (keys, text) in own.chain(OF_CONTROLS) {
                 ui.label(RichText::new(keys).font(theme::semibold(12.0)));
                 ui.label(text);
-                ui.end_row();
+                if narrow {
+                    ui.add_space(4.0);
+                } else {
+                    ui.end_row();
+                }
             }
         };
         // In a low window they scroll, between the heading and the button.
         let room = ui.content_rect().height() - 150.0;
-        ScrollArea::vertical()
-            .max_height(room)
-            .show(ui, |ui| Grid::new("keys").spacing([18.0, 1.0]).show(ui, rows));
+        ScrollArea::vertical().max_height(room).show(ui, |ui| {
+            if narrow {
+                // What a key does stands below it.
+                rows(ui);
+            } else {
+                Grid::new("keys").spacing([18.0, 1.0]).show(ui, rows);
+            }
+        });
         ui.add_space(4.0);
         let note = "The scroll wheel never changes a number. On a Mac, Ctrl is the command key.";
         ui.label(RichText::new(note).font(theme::small()).color(palette.weak));

@@ -1,7 +1,8 @@
 //! A card for each mode, and the two verdicts above them.
 
 use egui::{
-    Align, Button, Color32, Frame, Layout, Margin, Rect, Response, RichText, Stroke, Ui, Vec2, WidgetText,
+    Align, Button, Color32, Frame, Id, Layout, Margin, Rect, Response, RichText, Stroke, Ui, Vec2,
+    WidgetText, style::ScrollAnimation,
 };
 
 use super::phasors::phasors_ui;
@@ -221,6 +222,21 @@ fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
     }
 }
 
+/// Keeps a button where it is on screen when it opens something on every card: those above grow too, and push it down.
+fn hold_place(ui: &Ui, button: &Response, name: (&str, &str)) {
+    let id = Id::unique(("held in place", name));
+    if button.clicked() {
+        ui.data_mut(|data| data.insert_temp(id, button.rect.top()));
+        ui.request_repaint();
+    } else if let Some(top) = ui.data_mut(|data| data.remove_temp::<f32>(id))
+        && top != button.rect.top()
+    {
+        let moved = Vec2::new(0.0, top - button.rect.top());
+        ui.scroll_with_delta_animation(moved, ScrollAnimation::none());
+        ui.request_discard("a card has been scrolled to where it was");
+    }
+}
+
 /// What can be done with a mode and seen of it. Says whether it is to be flown alone, or no longer.
 fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     let Card { plane, mode, flown, .. } = card;
@@ -246,6 +262,7 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
         let toggle = |ui: &mut Ui, on: &mut bool, words: &str, what: &str, hover: WidgetText| {
             let button = Button::selectable(*on, text(words)).frame_when_inactive(true);
             let response = ui.add(button).accessible_name(format!("{what} of the {name}"));
+            hold_place(ui, &response, (name, what));
             if response.on_hover_text(hover).clicked() {
                 *on = !*on;
             }
@@ -314,7 +331,7 @@ fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<S
     };
     let mark = if details.levels { "▾" } else { "▸" };
     let level = match worst(plane, mode) {
-        Some((level, _)) => Some(format!("{} {mark}", level.text())),
+        Some((level, category)) => Some(format!("{} {} {mark}", level.text(), category.letter())),
         None => (!plane.levels.is_empty()).then(|| NO_LEVEL.to_owned()),
     };
     [Some(stability.to_owned()), level]
@@ -335,7 +352,7 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
             Level::Three | Level::Beyond => DynamicStability::Unstable,
         });
         let mark = if details.levels { "▾" } else { "▸" };
-        let long = format!("{} · {} {mark}", level.text(), category.short());
+        let long = format!("{} · Cat {} {mark}", level.text(), category.letter());
         let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(CHIP), color);
         let fits = galley.size().x + 2.0 * CHIP_MARGIN <= ui.available_width();
         let text = RichText::new(if fits { long } else { short }).font(theme::semibold(CHIP)).color(color);
@@ -343,6 +360,7 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         theme::focus_ring(ui, &chip);
         let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
+        hold_place(ui, &chip, (mode.naming.name.text(), "Level"));
         let hover = format!(
             "{} of flight: {}. Press to see which paragraphs of MIL-F-8785C set the level.",
             category.text(),
@@ -514,13 +532,14 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
     let mut x = rect.left();
     let mut words = Vec::new();
     let shares = mode.participation;
-    let largest = (0..4).max_by(|&a, &b| shares[a].total_cmp(&shares[b])).unwrap_or(0);
+    // Neighbours differ, and what a mode is known by is dark: of the phugoid's near halves always the same.
+    let yaws = plane == Plane::Lateral && shares[0] + shares[2] > 0.5;
     let symbols = match plane {
         Plane::Longitudinal => ["u", "α", "q", "θ"],
         Plane::Lateral => ["β", "p", "r", "φ"],
     };
     for (i, (symbol, share)) in symbols.into_iter().zip(shares).enumerate() {
-        let (bar, ink) = bars[(i + largest) % 2];
+        let (bar, ink) = bars[(i + usize::from(!yaws)) % 2];
         let width = rect.width() * share as f32;
         let segment =
             Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));

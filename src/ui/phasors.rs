@@ -83,7 +83,10 @@ impl Phasor {
         if self.value.norm() < 5e-3 {
             return "0".to_owned();
         }
-        format!("{} ∠ {}°", fixed(self.value.norm(), 2), fixed(self.value.arg().to_degrees(), 0))
+        let degrees = self.value.arg().to_degrees().round();
+        // Half a turn either way is one direction.
+        let degrees = if degrees == -180.0 { 180.0 } else { degrees };
+        format!("{} ∠ {}°", fixed(self.value.norm(), 2), fixed(degrees, 0))
     }
 
     fn words(&self) -> String {

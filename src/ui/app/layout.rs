@@ -23,7 +23,7 @@ impl App {
         let palette = Palette::of(ui);
         let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
         Panel::left("derivatives")
-            .exact_size(if wide { 362.0 } else { 344.0 })
+            .exact_size(if wide { (0.26 * ui.available_width()).clamp(362.0, 460.0) } else { 344.0 })
             .resizable(false)
             .frame(side)
             .show(ui, |ui| {

@@ -12,7 +12,7 @@ use crate::flight::outputs::Output;
 use crate::flight::plane::Plane;
 use crate::number::significant;
 use crate::scenario::{START, Source};
-use crate::ui::symbol::{Symbol, symbol_ui};
+use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
 
 /// A table of every output, and what concerns the whole motion.
@@ -106,6 +106,7 @@ fn swing(studied: Studied<'_>) -> Option<f64> {
 fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
     let palette = Palette::of(ui);
     let motion = studied.motion;
+    let dt = motion.response.dt;
     let amplitude = match motion.forced.forcings.first().map(|forcing| &forcing.input) {
         Some(Input::Step { amplitude, .. }) => Some(*amplitude),
         _ => None,
@@ -124,12 +125,17 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
         for &output in Output::of(studied.plane()) {
             let (quantity, unit_symbol, unit) = units(output, studied.scenario);
             let values = small_values(studied, output);
-            let most = peak(&values, motion.response.dt);
-            symbol_ui(ui, &Symbol::parse(quantity.symbol), 14.0, palette.text, None);
+            let most = peak(&values, dt);
+            ui.label(Symbol::parse(quantity.symbol).job(14.0, palette.text)).accessible_name(quantity.name);
             ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
                 .on_hover_text(quantity.name);
-            ui.label(number(most.map(|(_, value)| value / unit)));
-            ui.label(most.map_or_else(String::new, |(time, _)| format!("{} s", significant(time, 3))));
+            // What is largest where the linear model ends goes on to grow, nobody knows how far.
+            let is_cut = values.len() < motion.response.states.len();
+            let grows = is_cut && most.is_some_and(|(time, _)| time >= (values.len() - 1) as f64 * dt);
+            let least = if grows { "beyond " } else { "" };
+            ui.label(format!("{least}{}", number(most.map(|(_, value)| value / unit))));
+            let time = most.filter(|_| !grows).map(|(time, _)| format!("{} s", significant(time, 3)));
+            ui.label(time.unwrap_or_default());
             if random {
                 ui.label(number(root_mean_square(&values).map(|value| value / unit)));
                 ui.end_row();
@@ -138,14 +144,14 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
             let row = output.row(&motion.model, &motion.forced);
             let steady =
                 amplitude.and_then(|size| steady_output(studied.modes, &row, &motion.forced, 0, size));
-            let figures = steady.and_then(|steady| step_figures(&values, motion.response.dt, START, steady));
+            let figures = steady.and_then(|steady| step_figures(&values, dt, START, steady));
             // Beside the motion this is rounding.
             let steady = steady.map(|value| {
                 let size = most.map_or(0.0, |(_, most)| most.abs());
                 if value.abs() <= 1e-9 * size { 0.0 } else { value }
             });
             ui.label(number(steady.map(|value| value / unit)));
-            step_ui(ui, figures);
+            step_ui(ui, figures.filter(|_| !is_cut));
             ui.end_row();
         }
     });

@@ -130,7 +130,8 @@ impl Sheet {
             .collect();
         let gain_unit = format!("dB of {unit} per {input_unit}");
         let gain = Picture { dots, ..picture(gain_unit, with_ghost(&decibels)) };
-        let phase = Picture { names_axis: true, ..picture("deg".to_owned(), with_ghost(&degrees)) };
+        let phase =
+            Picture { names_axis: true, is_phase: true, ..picture("deg".to_owned(), with_ghost(&degrees)) };
         let pictures = [gain, phase];
         let mut entries = legend::curves(&pictures);
         entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {

@@ -112,7 +112,7 @@ impl Responses {
             note_ui(
                 ui,
                 &format!(
-                    "From t = {} s this is no small disturbance any more: the linear model means nothing there.",
+                    "From t = {} s this is no small disturbance any more: the linear model means nothing there. A smaller factor × keeps it small for longer.",
                     significant(time, 3)
                 ),
             );

@@ -106,6 +106,8 @@ pub struct Picture {
     pub quantities: Vec<&'static str>,
     /// Whether symbol and unit stand at the end of the horizontal axis.
     pub names_axis: bool,
+    /// Whether the vertical axis is a phase in degrees, which is read in right angles.
+    pub is_phase: bool,
 }
 
 impl Picture {
@@ -125,6 +127,7 @@ impl Picture {
             with_zero: true,
             quantities: Vec::new(),
             names_axis: false,
+            is_phase: false,
         }
     }
 
@@ -219,8 +222,8 @@ fn draw(
     cursor: Option<f64>,
 ) -> egui::Response {
     let palette = Palette::of(ui);
-    let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x) };
-    let vertical = marks(&y, rect.height(), APART.y);
+    let horizontal = if picture.logarithmic { decades(&x) } else { marks(&x, rect.width(), APART.x, false) };
+    let vertical = marks(&y, rect.height(), APART.y, picture.is_phase);
     let name = picture.names_axis.then_some(picture.against);
     tick_labels(ui, rect, (&x, &horizontal), (&y, &vertical), name);
     let id = Id::unique((&picture.symbol, &picture.unit, picture.against.0));
@@ -394,7 +397,7 @@ fn tick_labels(
 type Axis<'a> = (&'a RangeInclusive<f64>, &'a [Mark]);
 
 /// Round numbers in a range, at least `apart` points from each other, but never fewer than two: one is no scale.
-fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32) -> Vec<Mark> {
+fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32, is_phase: bool) -> Vec<Mark> {
     let span = range.end() - range.start();
     let raw = span * f64::from(apart / length.max(1.0));
     let decade = 10_f64.powf(raw.log10().floor());
@@ -407,7 +410,9 @@ fn marks(range: &RangeInclusive<f64>, length: f32, apart: f32) -> Vec<Mark> {
         all.filter(|value| range.contains(value)).collect()
     };
     let of_two = steps.into_iter().filter(|step| *step <= fitting).find(|step| at(*step).len() >= 2);
-    let step = of_two.unwrap_or(fitting);
+    let of_a_turn =
+        [45.0, 90.0, 180.0, 360.0].into_iter().find(|step| is_phase && *step >= raw && at(*step).len() >= 2);
+    let step = of_a_turn.or(of_two).unwrap_or(fitting);
     let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
     let label = |value: f64| {
         if value.abs() >= 1e5 {
@@ -463,7 +468,7 @@ mod tests {
             length in 20.0..900.0_f32,
         ) {
             let unit = 10_f64.powi(power);
-            let marks = marks(&(low * unit..=(low + size) * unit), length, 34.0);
+            let marks = marks(&(low * unit..=(low + size) * unit), length, 34.0, false);
             prop_assert!(marks.len() >= 2, "{} of them", marks.len());
             for pair in marks.windows(2) {
                 prop_assert!(pair[0].value < pair[1].value);
