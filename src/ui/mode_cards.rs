@@ -312,7 +312,7 @@ fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, S
 fn signed_percent(error: f64) -> String {
     let percent = 100.0 * error;
     let decimals = if percent.abs() < 10.0 { 1 } else { 0 };
-    format!("{}{} %", if error >= 0.0 { "+" } else { "" }, fixed(percent, decimals))
+    format!("{}{}\u{a0}%", if error >= 0.0 { "+" } else { "" }, fixed(percent, decimals))
 }
 
 /// Size of the text on a chip, and the room left and right of it.
