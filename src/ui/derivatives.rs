@@ -336,8 +336,7 @@ fn unit_ui(ui: &mut Ui, unit: &str, in_use: Option<f64>) {
     };
     let number = trimmed(in_use, 3);
     let used = |ui: &mut Ui| {
-        let text =
-            RichText::new(format!("▸\u{a0}{number}")).font(theme::semibold(10.5)).color(palette.warning);
+        let text = RichText::new(format!("▸ {number}")).font(theme::semibold(10.5)).color(palette.warning);
         ui.label(text).on_hover_text("The value in use, as the knobs and the flight condition make it");
     };
     if unit.is_empty() {

@@ -12,6 +12,8 @@ use crate::scenario::{Parameter, RowSensitivity, Scenario, by_strength};
 
 /// Of a bar beside a slider, with its gap.
 pub const BAR_WIDTH: f32 = 5.5;
+/// A weaker influence is none.
+const NOTHING: f64 = 1e-6;
 /// The least length of a bar.
 const SHORTEST: f32 = 1.0;
 /// Derivatives in the list.
@@ -38,9 +40,6 @@ pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
         ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
     }
 }
-
-/// A weaker one is none.
-const NOTHING: f64 = 1e-6;
 
 /// What the bars of a parameter say, in words; its size in SI of the unit in which it is shown, and that unit.
 pub fn words(row: &RowSensitivity, modes: &[Mode], (in_si, unit): (f64, &str)) -> String {

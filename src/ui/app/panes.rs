@@ -135,9 +135,10 @@ impl App {
     /// The derivatives that move the modes most; each leads to its slider.
     pub(super) fn strongest_ui(&mut self, ui: &mut Ui) {
         let (Some(plane), Some(followed)) = (self.memo.plane(), self.memo.followed()) else { return };
-        let View { strongest, touched, asked, phone_pane, .. } = &mut self.view;
+        let View { strongest, touched, explained, asked, phone_pane, .. } = &mut self.view;
         let wish = strongest.show(ui, &self.scenario, &followed.sensitivities, &plane.modes);
         *touched = wish.touched.or(*touched);
+        *explained = wish.touched.unwrap_or(*explained);
         if wish.asked.is_some() {
             *asked = wish.asked;
             *phone_pane = PhonePane::Derivatives;
