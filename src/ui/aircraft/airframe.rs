@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use egui::epaint::Vertex;
-use egui::{Color32, Mesh, Ui};
+use egui::{Color32, Mesh, Rect, Ui};
 use nalgebra::Rotation3;
 
 use super::camera::Lens;
+use super::labels::Silhouette;
 use super::picture::Picture;
 use crate::shape::{Deflections, Face, Finish, Material, Model, Point};
 use crate::ui::kept::kept;
@@ -32,16 +33,26 @@ struct Key {
     rotation: Rotation3<f32>,
     lens: Lens,
     palette: &'static Palette,
+    pane: Rect,
 }
 
-/// The aircraft as triangles, to be drawn as they come; those of the frame before where the picture is the same.
-pub(super) fn kept_mesh(
+/// The aircraft as it is drawn.
+pub(super) struct Airframe {
+    /// Triangles, in the order to draw them.
+    pub mesh: Arc<Mesh>,
+    /// What of the pane they cover.
+    pub silhouette: Silhouette,
+}
+
+/// The aircraft over a pane; that of the frame before where the picture is the same.
+pub(super) fn kept_airframe(
     ui: &Ui,
+    pane: Rect,
     picture: &Picture<'_>,
     rotation: &Rotation3<f32>,
     lens: &Lens,
     palette: &'static Palette,
-) -> Arc<Mesh> {
+) -> Arc<Airframe> {
     let key = Key {
         name: picture.name.to_owned(),
         triangles: picture.model.triangles(),
@@ -51,9 +62,13 @@ pub(super) fn kept_mesh(
         rotation: *rotation,
         lens: *lens,
         palette,
+        pane,
     };
     let pose = (picture.deflections, picture.propeller_angle);
-    kept(ui, "airframe", key, || mesh(picture.model, picture.finish, pose, rotation, lens, palette))
+    kept(ui, "airframe", key, || {
+        let mesh = mesh(picture.model, picture.finish, pose, rotation, lens, palette);
+        Airframe { silhouette: Silhouette::of(&mesh, pane), mesh: Arc::new(mesh) }
+    })
 }
 
 fn mesh(

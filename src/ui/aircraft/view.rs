@@ -9,7 +9,6 @@ use egui::{
 };
 
 use super::camera::{Camera, StandardView};
-use super::labels::Silhouette;
 use super::landscape::Ground;
 use super::overlays::Easel;
 use super::picture::{Picture, finite};
@@ -160,9 +159,8 @@ impl AircraftView {
             Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
         let (beyond, before) = if self.overlays.path { easel.path() } else { Default::default() };
         painter.add(Shape::mesh(beyond));
-        let airframe = airframe::kept_mesh(ui, picture, &rotation, &lens, palette);
-        let silhouette = Silhouette::of(&airframe, pane);
-        painter.add(Shape::mesh(airframe));
+        let airframe = airframe::kept_airframe(ui, pane, picture, &rotation, &lens, palette);
+        painter.add(Shape::mesh(airframe.mesh.clone()));
         painter.add(Shape::mesh(before));
         easel.draw(&self.overlays);
 
@@ -180,7 +178,7 @@ impl AircraftView {
             taken.push(note_ui(&painter, pane, note, palette));
         }
         let Easel { labels, .. } = easel;
-        labels.paint(&painter, pane, &taken, &silhouette, palette);
+        labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
     }
 }
 
