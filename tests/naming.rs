@@ -2,9 +2,13 @@
 
 mod reference;
 
+use std::sync::Arc;
+
+use eigenwing::content::{Aircraft, embedded_aircraft};
 use eigenwing::flight::modes::{DynamicStability, Mode, modes, modes_of};
 use eigenwing::flight::naming::ModeName::{self, *};
 use eigenwing::flight::plane::Plane;
+use eigenwing::scenario::link;
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use reference::{all_models, navion_with_m_w, reference, references, sweeps};
@@ -295,4 +299,67 @@ fn a_growing_bank_between_two_yawing_roots_is_the_spiral() {
     assert!(more.lambda.re < 0.0 && 0.0 < spiral.lambda.re && spiral.lambda.re < less.lambda.re);
     let yaw = |mode: &Mode| mode.participation[0] + mode.participation[2];
     assert!(yaw(more) > 0.8 && yaw(less) > 0.8 && spiral.participation[3] > 0.8);
+}
+
+/// The reason of one mode of a scene, as its card has it.
+fn reason_in(link: &str, name: ModeName) -> String {
+    let aircraft: Vec<Arc<Aircraft>> = embedded_aircraft().0.into_iter().map(Arc::new).collect();
+    let scene = link::read(link, &aircraft).expect("a scene").scenario;
+    let analysis = scene.analyse().expect("an analysis");
+    let plane = analysis.of(scene.plane).expect("a plane").as_ref().expect("modes");
+    let mode = plane.modes.iter().find(|mode| mode.naming.name == name).expect("it is there");
+    mode.naming.reason.clone()
+}
+
+/// Slow is what takes longer than MIL-F-8785C asks of a spiral that grows (§3.3.1.3, 20 s).
+#[test]
+fn a_spiral_is_slow_only_where_it_is() {
+    for (link, words) in [
+        ("v=1&ac=navion&plane=lat", "the wings come level slowly"),
+        ("v=1&ac=navion&plane=lat&cn_beta=-0.05", "the turn tightens, doubling every 2.9 s"),
+        ("v=1&ac=citation&plane=lat", "the turn tightens, doubling every 9.1 s"),
+        (
+            "v=1&ac=navion&plane=lat&croll_p=-0.02&croll_beta=-0.32&cn_beta=0.01",
+            "the wings come level, by half every 2.7 s",
+        ),
+    ] {
+        let reason = reason_in(link, Spiral);
+        assert!(reason.contains(words), "{link}: {reason}");
+    }
+}
+
+#[test]
+fn a_reason_claims_no_roll_that_dies_out_and_no_largest_share_where_there_is_none() {
+    let driven = "v=1&ac=navion&plane=lat&croll_p=0.2";
+    assert!(!reason_in(driven, Spiral).contains("dies out"));
+    assert!(reason_in(driven, RollSubsidence).contains("it grows: no longer a subsidence"));
+    let mixed = "v=1&ac=navion&plane=lat&croll_p=-0.05&croll_r=0.3&cn_p=-0.25&croll_beta=-0.2&cn_beta=0.02";
+    let reason = reason_in(mixed, RollSubsidence);
+    assert!(reason.starts_with("Roll rate carries 31 % of it, sideslip even 44 %"), "{reason}");
+}
+
+/// Found by the property above, once: shares that add up to more than one by rounding.
+#[test]
+fn a_confidence_is_never_more_than_whole() {
+    let a = Matrix4::from_row_slice(&[
+        0.0,
+        0.0,
+        -6.459702066327524,
+        -4.414259457926712,
+        -0.6912724657082786,
+        0.0,
+        0.0,
+        -820005.260077923,
+        -868162.2496050136,
+        0.0,
+        -722508.8069459401,
+        1.7180112026719287,
+        0.0,
+        758736.9336911638,
+        0.0,
+        0.0,
+    ]);
+    for mode in named(Plane::Lateral, &a) {
+        assert!((0.0..=1.0).contains(&mode.naming.confidence), "{}", mode.naming.confidence);
+    }
 }

@@ -534,6 +534,33 @@ fn the_strongest_derivatives_lead_to_their_sliders() {
     assert!(harness.get_by_role_and_label(Role::Slider, "pitch damping C_mq").is_focused());
 }
 
+/// Under a hand that drags it a slider must mean the same from one pixel to the next.
+#[test]
+fn a_slider_keeps_its_place_and_length_where_two_roots_meet() {
+    let mut harness = page(WIDE);
+    let place = |harness: &page::Page| harness.get_by_role_and_label(Role::Slider, PITCH_STIFFNESS).rect();
+    let before = (analysis(&harness).modes.len(), place(&harness));
+    for value in ["-0.05", "0.2"] {
+        open(&mut harness, &format!("v=1&ac=navion&cm_alpha={value}"));
+        assert!(analysis(&harness).modes.len() > before.0);
+        assert_eq!(place(&harness), before.1);
+    }
+}
+
+/// What a button opens is opened on every card, those above it too.
+#[test]
+fn a_button_of_a_card_stays_under_the_pointer() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&plane=lat");
+    for what in ["Shape of the Roll subsidence", "Level of the Roll subsidence"] {
+        let before = harness.get_by_role_and_label(Role::Button, what).rect();
+        harness.get_by_role_and_label(Role::Button, what).click();
+        harness.run();
+        let after = harness.get_by_role_and_label(Role::Button, what).rect();
+        assert!((after.top() - before.top()).abs() < 1.0, "{what}: {before} to {after}");
+    }
+}
+
 fn type_into_search(harness: &mut page::Page, text: &str) {
     harness.get_by_role_and_label(Role::TextInput, "Find a derivative").focus();
     harness.run();

@@ -96,6 +96,16 @@ fn figures_end_where_the_linear_model_does() {
     assert!(time.parse::<f64>().expect("a number") <= end + 0.06, "{line}, linear until {end}");
 }
 
+/// Nobody knows how far a motion goes on to grow that is cut off while it grows.
+#[test]
+fn a_peak_at_the_end_of_the_linear_model_is_no_peak() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&cm_alpha=-0.25&tab=figures");
+    harness.get_by_label("beyond 26.8");
+    // θ has turned before, and has its peak.
+    harness.get_by_label("−19.8");
+}
+
 #[test]
 fn in_turbulence_figures_are_averages() {
     let mut harness = page(WIDE);

@@ -143,6 +143,8 @@ pub(super) fn mean_share(shapes: &[Shape], oscillating: bool, share: impl Fn(&Sh
 
 /// The naming itself, with a word of caution where the shape is mixed.
 pub(super) fn naming(name: ModeName, confidence: f64, reason: String) -> Naming {
+    // Shares that add up to one do so but for rounding.
+    let confidence = confidence.clamp(0.0, 1.0);
     let reason = if confidence < 0.65 {
         format!("{reason} The shape is mixed, so the name is a matter of degree.")
     } else {
