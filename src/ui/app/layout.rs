@@ -21,9 +21,14 @@ impl App {
     /// Sliders left, poles and responses in the middle, modes right or, on a tablet, below.
     pub(super) fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
         let palette = Palette::of(ui);
+        let width = ui.available_width();
         let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
         Panel::left("derivatives")
-            .exact_size(if wide { (0.26 * ui.available_width()).clamp(362.0, 460.0) } else { 344.0 })
+            .exact_size(if wide {
+                (0.26 * width).clamp(362.0, 460.0)
+            } else {
+                (0.35 * width).clamp(344.0, 362.0)
+            })
             .resizable(false)
             .frame(side)
             .show(ui, |ui| {

@@ -1,6 +1,6 @@
 //! What is in the panes: each is given what follows from the scenario, and edits it in place.
 
-use egui::{RichText, Ui};
+use egui::{Align, Layout, RichText, Ui};
 
 use super::{Action, App, Ghost, PhonePane, View};
 use crate::flight::modes::Mode;
@@ -179,7 +179,10 @@ impl App {
                 ghost.and_then(|ghost| ghost.iter().find(|other| other.naming.name == mode.naming.name));
             let flown = choice.source == Source::OneMode && choice.mode.min(last) == i;
             let card = Card { plane: analysed, mode, before, flown };
-            if card_ui(&mut columns[column(i)], card, &mut self.view.details) {
+            // Columns would stretch every line to their width.
+            let ragged = Layout::top_down(Align::Min);
+            let card = |ui: &mut Ui| card_ui(ui, card, &mut self.view.details);
+            if columns[column(i)].with_layout(ragged, card).inner {
                 asked = Some((i, flown));
             }
         }
