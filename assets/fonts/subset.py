@@ -10,7 +10,7 @@
 | text-regular.ttf   | Inter 4.1 Regular                       | text; its tabular figures are the default ones   |
 | text-semibold.ttf  | Inter 4.1 SemiBold                      | the same, for headings and values                |
 | maths-italic.ttf   | STIX Two Text Italic                    | symbols: Latin and Greek letters, a dot above    |
-| maths-upright.ttf  | STIX Two Text Regular                   | beside them: figures, operators, "cos"           |
+| maths-upright.ttf  | STIX Two Text Regular                   | beside them: figures, operators, words ("cos")   |
 | signs.ttf          | DejaVu Sans 2.37                        | only the signs that Inter lacks                  |
 
 The faces are renamed (Eigenwing Text, Maths, Signs), because they are not the originals any more.
@@ -50,7 +50,9 @@ TEXT = "".join(
 )
 # A symbol is made of italic letters; its figures, operators and function names are upright.
 MATHS_ITALIC = "".join([*filter(str.isalpha, ASCII), GREEK, DOTTED, DOT_ABOVE])
-MATHS_UPRIGHT = ASCII + "\u00a0·−–±×′″½¼"
+# Of the letters only those of the words that src/ui/symbol.rs sets upright; a test there has the list.
+UPRIGHT_LETTERS = "acdefgilmnoprstxzIR"
+MATHS_UPRIGHT = "".join(c for c in ASCII if not c.isalpha()) + UPRIGHT_LETTERS + "\u00a0·−–±×′″½¼"
 
 # Made default: every figure and sign of one width, so that numbers stand still while they change.
 TABULAR = "0123456789+−×÷=<>≤≥≈≠±.,:"
@@ -77,7 +79,7 @@ def main(node_modules: Path) -> None:
         freeze_tabular_figures(font)
         add_greek_to_dot_anchors(font)
         # Without `calt`: it turns "3x4" into a product and "->" into an arrow.
-        cut(font, TEXT, ["kern", "mark", "ccmp"])
+        cut(font, TEXT, ["kern", "mark"])
         rename(font, "Eigenwing Text", weight)
         save(font, file)
 

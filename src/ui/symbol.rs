@@ -19,7 +19,7 @@ use egui::{Align, Color32, FontId, Sense, Ui, Vec2, WidgetInfo};
 use super::fonts;
 
 /// Set upright, when they stand between what aren't Latin letters.
-const WORDS: [&str; 18] = [
+pub(super) const WORDS: [&str; 18] = [
     "cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for",
     "to", "sample", "size",
 ];
