@@ -20,7 +20,7 @@ use crate::flight::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use crate::flight::knobs::Knobs;
 use crate::flight::plane::Plane;
 use crate::flight::study::Study;
-use crate::number::significant;
+use crate::number::trimmed;
 
 /// A page of sliders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -212,7 +212,7 @@ pub enum ValueError {
     #[error("only a whole number can be used here")]
     NotWhole,
     /// Beyond anything with a meaning.
-    #[error("{value} is beyond anything meaningful here: {low} to {high} {unit} is accepted")]
+    #[error("{value} is beyond anything meaningful here: {} is accepted", format!("{low} to {high} {unit}").trim_end())]
     Absurd {
         /// The refused value, in the shown unit.
         value: String,
@@ -430,7 +430,7 @@ impl Parameter {
             return Ok(value);
         }
         let unit = scenario.aircraft.length_unit;
-        let shown = |si: f64| significant(si / self.dimension.in_si(unit), 4);
+        let shown = |si: f64| trimmed(si / self.dimension.in_si(unit), 4);
         Err(ValueError::Absurd {
             value: shown(value),
             low: shown(*accepted.start()),
