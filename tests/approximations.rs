@@ -2,11 +2,11 @@
 
 mod reference;
 
-use eigenwing::flight::approximations::{
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::modes::approximations::{
     Approximation, ApproximationName as Name, ModeValue, approximations,
 };
-use eigenwing::flight::modes::modes;
-use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::modes::mode::modes;
 use nalgebra::{Matrix4, Matrix4x2};
 use proptest::prelude::*;
 use reference::{all_models, reference};

@@ -2,15 +2,15 @@
 //! independently with NumPy from the same data (`data/reference_models.json`).
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::axes::{to_body_axes, to_stability_axes};
-use eigenwing::flight::coefficients::{
+use eigenwing::flight::aircraft::axes::{to_body_axes, to_stability_axes};
+use eigenwing::flight::aircraft::coefficients::{
     Airframe, Coefficients, InertiaAxes, LateralCoefficients, LongitudinalCoefficients, PlanarInertia,
 };
-use eigenwing::flight::condition::{FlightCondition, Reference, Validity};
-use eigenwing::flight::derivatives::{LateralDerivatives, LongitudinalDerivatives};
-use eigenwing::flight::eigen::eigen;
-use eigenwing::flight::plane::{PlaneModel, Trim};
-use eigenwing::flight::study::{CoefficientStudy, Derived, Models, Study};
+use eigenwing::flight::aircraft::condition::{FlightCondition, Reference, Validity};
+use eigenwing::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
+use eigenwing::flight::aircraft::plane::{PlaneModel, Trim};
+use eigenwing::flight::aircraft::study::{CoefficientStudy, Derived, Models, Study};
+use eigenwing::flight::modes::eigen::eigen;
 use nalgebra::{Complex, Matrix4};
 use serde::Deserialize;
 
@@ -264,8 +264,8 @@ fn every_matrix_agrees_with_the_independent_one() {
 /// How many of the first states are velocities.
 fn lengths(model: &PlaneModel) -> usize {
     match model.plane {
-        eigenwing::flight::plane::Plane::Longitudinal => 2,
-        eigenwing::flight::plane::Plane::Lateral => 1,
+        eigenwing::flight::aircraft::plane::Plane::Longitudinal => 2,
+        eigenwing::flight::aircraft::plane::Plane::Lateral => 1,
     }
 }
 

@@ -1,10 +1,10 @@
 //! Aircraft files: all read, a bad one says where and why, and nothing that a person can paste makes a panic.
 
 use eigenwing::content::{Aircraft, FILES, embedded_aircraft};
-use eigenwing::flight::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES};
-use eigenwing::flight::eigen::eigen;
-use eigenwing::flight::plane::PlaneModel;
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES};
+use eigenwing::flight::aircraft::plane::PlaneModel;
+use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::modes::eigen::eigen;
 use proptest::prelude::*;
 
 fn text_of(file: &str) -> &'static str {
@@ -304,8 +304,8 @@ fn the_units_of_the_matrix_change_no_eigenvalue() {
     for (file, text) in FILES {
         for model in planes(&Aircraft::from_toml(file, text).expect("it reads")) {
             let lengths = match model.plane {
-                eigenwing::flight::plane::Plane::Longitudinal => [0.3048, 0.3048, 1.0, 1.0],
-                eigenwing::flight::plane::Plane::Lateral => [0.3048, 1.0, 1.0, 1.0],
+                eigenwing::flight::aircraft::plane::Plane::Longitudinal => [0.3048, 0.3048, 1.0, 1.0],
+                eigenwing::flight::aircraft::plane::Plane::Lateral => [0.3048, 1.0, 1.0, 1.0],
             };
             let us = nalgebra::Matrix4::from_fn(|i, j| model.a[(i, j)] / lengths[i] * lengths[j]);
             let (si, us) = (eigen(&model.a).expect("it solves"), eigen(&us).expect("it solves"));

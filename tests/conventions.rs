@@ -1,9 +1,9 @@
 //! One test a sign, over every aircraft that ships.
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
-use eigenwing::flight::axes::to_stability_axes;
-use eigenwing::flight::plane::PlaneModel;
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::axes::to_stability_axes;
+use eigenwing::flight::aircraft::plane::PlaneModel;
+use eigenwing::flight::aircraft::study::Study;
 
 fn models() -> Vec<(String, PlaneModel, Option<PlaneModel>)> {
     let (aircraft, _) = embedded_aircraft();

@@ -1,6 +1,6 @@
 //! What holds for the eigenvalues of every matrix (properties), and LAPACK's values for hard ones (validation).
 
-use eigenwing::flight::eigen::{Eigen, EigenError, eigen, eigenvalues};
+use eigenwing::flight::modes::eigen::{Eigen, EigenError, eigen, eigenvalues};
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use serde::Deserialize;

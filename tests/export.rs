@@ -7,7 +7,7 @@ use eigenwing::export::{
     self, DISTURBANCES, PlaneOutcome, PlaneReport, ResponseRequest, SHAPES, Subject, Sweep, SweepRequest,
     analyse, json, list, parameters_of, respond,
 };
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::scenario::Source;
 use serde_json::{Value, json};
 

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::gusts::{air_across, penetration_column};
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::motion::gusts::{air_across, penetration_column};
 use nalgebra::Vector4;
 use serde::Deserialize;
 

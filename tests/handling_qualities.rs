@@ -2,13 +2,13 @@
 
 mod reference;
 
-use eigenwing::flight::handling_qualities::{
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::flight::modes::mode::{modes, modes_of};
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::verdicts::handling_qualities::{
     Level, Verdict, handling_qualities, load_factor_slope, phi_to_beta,
 };
-use eigenwing::flight::mil_f_8785c::{Category, Class, Criterion, Quantity};
-use eigenwing::flight::modes::{modes, modes_of};
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::{Plane, PlaneModel};
+use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class, Criterion, Quantity};
 use nalgebra::Matrix4;
 use proptest::prelude::*;
 use reference::{all_models, reference};

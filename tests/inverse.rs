@@ -2,10 +2,10 @@
 
 mod reference;
 
-use eigenwing::flight::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
-use eigenwing::flight::modes::{Mode, modes_of};
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::modes::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
+use eigenwing::flight::modes::mode::{Mode, modes_of};
+use eigenwing::flight::modes::mode_name::ModeName;
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use reference::{all_models, reference};
@@ -242,7 +242,7 @@ proptest! {
                     prop_assert!((found.lambda - upper).norm() < 1e-9);
                 }
                 // never farther than at the start
-                let values = eigenwing::flight::eigen::eigen(&a).expect("finite").values;
+                let values = eigenwing::flight::modes::eigen::eigen(&a).expect("finite").values;
                 let here = Complex::new(from.re, from.im.abs());
                 let pole = values.iter().filter(|v| v.im >= 0.0).min_by(|x, y| (**x - here).norm().total_cmp(&(**y - here).norm())).expect("a pole");
                 prop_assert!((found.lambda - upper).norm() <= (pole - upper).norm() * (1.0 + 1e-9) + 1e-9);

@@ -3,16 +3,16 @@
 use std::sync::LazyLock;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::atmosphere::standard_air;
-use eigenwing::flight::coefficients::{
+use eigenwing::flight::aircraft::atmosphere::standard_air;
+use eigenwing::flight::aircraft::coefficients::{
     Airframe, Coefficients, LATERAL_COEFFICIENTS, LONGITUDINAL_COEFFICIENTS,
 };
-use eigenwing::flight::condition::CONDITION_MOVES;
-use eigenwing::flight::eigen::eigen;
-use eigenwing::flight::knobs::{Knob, Knobs};
-use eigenwing::flight::plane::{Plane, PlaneModel};
-use eigenwing::flight::static_stability::static_margin;
-use eigenwing::flight::study::{CoefficientStudy, Models, Study, StudyError};
+use eigenwing::flight::aircraft::condition::CONDITION_MOVES;
+use eigenwing::flight::aircraft::knobs::{Knob, Knobs};
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::flight::aircraft::study::{CoefficientStudy, Models, Study, StudyError};
+use eigenwing::flight::modes::eigen::eigen;
+use eigenwing::flight::verdicts::static_stability::static_margin;
 use proptest::prelude::*;
 
 fn margin(c: &Coefficients) -> f64 {
@@ -315,10 +315,12 @@ fn drag_follows_a_parabolic_polar() {
     study.condition.speed *= 0.8;
     let now = study.derive().expect("it flies").coefficients.longitudinal;
     // C_Dα = 2 k C_L C_Lα with the same k, and C_D0 = C_D − k C_L² the same
-    let k =
-        |l: eigenwing::flight::coefficients::LongitudinalCoefficients| l.cd_alpha / (2.0 * l.cl * l.cl_alpha);
+    let k = |l: eigenwing::flight::aircraft::coefficients::LongitudinalCoefficients| {
+        l.cd_alpha / (2.0 * l.cl * l.cl_alpha)
+    };
     assert!((k(now) / k(reference) - 1.0).abs() < 1e-12);
-    let zero_lift = |l: eigenwing::flight::coefficients::LongitudinalCoefficients| l.cd - k(l) * l.cl * l.cl;
+    let zero_lift =
+        |l: eigenwing::flight::aircraft::coefficients::LongitudinalCoefficients| l.cd - k(l) * l.cl * l.cl;
     assert!((zero_lift(now) / zero_lift(reference) - 1.0).abs() < 1e-12);
 }
 

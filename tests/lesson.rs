@@ -1,8 +1,8 @@
 //! The lesson's model against python-control and SciPy (validation: the numbers are theirs, see the data file's source).
 
-use eigenwing::flight::eigen::{Eigen, eigen};
-use eigenwing::flight::inputs::Input;
-use eigenwing::flight::response::{Forced, TimeGrid, respond, steady_state};
+use eigenwing::flight::modes::eigen::{Eigen, eigen};
+use eigenwing::flight::motion::inputs::Input;
+use eigenwing::flight::motion::response::{Forced, TimeGrid, respond, steady_state};
 use nalgebra::{Matrix4, Vector4};
 use serde::Deserialize;
 

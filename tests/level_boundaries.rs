@@ -4,13 +4,14 @@ use std::f64::consts::LN_2;
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::analysis::{PlaneAnalysis, Task};
-use eigenwing::flight::approximations::{Approximation, ApproximationName, ModeValue};
-use eigenwing::flight::handling_qualities::{Level, handling_qualities};
-use eigenwing::flight::level_boundaries::{Boundary, Line, level_boundaries};
-use eigenwing::flight::mil_f_8785c::{Category, Class, Criterion, Quantity};
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::analysis::PlaneAnalysis;
+use eigenwing::flight::modes::approximations::{Approximation, ApproximationName, ModeValue};
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::verdicts::handling_qualities::{Level, handling_qualities};
+use eigenwing::flight::verdicts::level_boundaries::{Boundary, Line, level_boundaries};
+use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class, Criterion, Quantity};
+use eigenwing::flight::verdicts::task::Task;
 use eigenwing::scenario::Scenario;
 use nalgebra::Complex;
 
@@ -56,7 +57,8 @@ fn the_lines_give_the_levels_that_the_verdicts_give() {
         for analysis in analysed(plane) {
             for (_, class) in Class::NAMES {
                 for (_, category) in Category::NAMES {
-                    let boundaries = level_boundaries(&analysis, Task { class, category });
+                    let boundaries =
+                        level_boundaries(&analysis.model, &analysis.modes, Task { class, category });
                     for verdict in handling_qualities(&analysis.model, &analysis.modes, class, category) {
                         let name = verdict.criterion.concerns();
                         let Some(mode) = analysis.modes.iter().find(|mode| mode.naming.name == name) else {
@@ -89,7 +91,7 @@ fn navion(plane: Plane) -> Vec<Boundary> {
     let scenario = Scenario { plane, ..Scenario::new(Arc::new(aircraft.expect("the Navion"))) };
     let analysis = scenario.analyse().expect("an analysis");
     let Some(Ok(analysis)) = analysis.of(plane) else { panic!("an analysis") };
-    level_boundaries(analysis, CRUISE)
+    level_boundaries(&analysis.model, &analysis.modes, CRUISE)
 }
 
 /// The numbers of Tables IV, VI, VII and VIII for Class I, Category B, put in the plane by hand.

@@ -3,8 +3,8 @@
 use std::sync::{Arc, LazyLock};
 
 use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
-use eigenwing::flight::outputs::Output;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::motion::outputs::Output;
 use eigenwing::scenario::link::{
     self, Details, LONGEST, LinkView, Marks, Notice, Opened, Overlays, Pane, Sight, Tab, Viewpoint,
 };

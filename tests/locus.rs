@@ -2,10 +2,10 @@
 
 mod reference;
 
-use eigenwing::flight::eigen::eigenvalues;
-use eigenwing::flight::locus::{Locus, MOST_EVALUATIONS, locus};
-use eigenwing::flight::naming::ModeName::{self, *};
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::modes::eigen::eigenvalues;
+use eigenwing::flight::modes::locus::{Locus, MOST_EVALUATIONS, locus};
+use eigenwing::flight::modes::mode_name::ModeName::{self, *};
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use reference::{all_models, navion_with_m_w, reference, sweeps};

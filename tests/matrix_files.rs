@@ -2,8 +2,8 @@
 //! with its line.
 
 use eigenwing::content::{Aircraft, MatrixFormat};
-use eigenwing::flight::plane::{Plane, PlaneModel};
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::flight::aircraft::study::Study;
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 /// The Navion in metres (Teper, NASA CR-96008), rounded: what every form below says.

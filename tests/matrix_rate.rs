@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::atmosphere::standard_air;
-use eigenwing::flight::plane::Plane;
-use eigenwing::flight::real::Dual64;
-use eigenwing::flight::sensitivity::entry_rate;
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::atmosphere::standard_air;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::aircraft::real::Dual64;
+use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::modes::sensitivity::entry_rate;
 use eigenwing::scenario::parameters::Group;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
 use nalgebra::Matrix4;

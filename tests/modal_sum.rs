@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::Motion;
-use eigenwing::flight::modal_sum::{SplitError, WORST_SPLIT};
-use eigenwing::flight::modes::{Mode, modes};
-use eigenwing::flight::outputs::Output;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::modes::mode::{Mode, modes};
+use eigenwing::flight::motion::modal_sum::{SplitError, WORST_SPLIT};
+use eigenwing::flight::motion::outputs::Output;
 use eigenwing::scenario::{Parameter, Scenario, Source};
 
 fn scenarios() -> impl Iterator<Item = Scenario> {

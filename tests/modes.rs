@@ -1,14 +1,15 @@
 //! Names, verdicts and warnings, against published modes and the lesson's golden analysis.
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::aircraft::states::Longitudinal;
+use eigenwing::flight::aircraft::study::{MatrixStudy, Study};
 use eigenwing::flight::analysis::{Analysis, PlaneAnalysis};
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::modes::{DynamicStability, Mode, modes};
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
-use eigenwing::flight::states::Longitudinal;
-use eigenwing::flight::static_stability::{StaticVerdict, plane_static_stability};
-use eigenwing::flight::study::{MatrixStudy, Study};
+use eigenwing::flight::modes::mode::{Mode, modes};
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::modes::stability::Stability;
+use eigenwing::flight::verdicts::static_stability::plane_static_stability;
 use eigenwing::scenario::Scenario;
 use nalgebra::{Matrix4, Matrix4x2};
 use proptest::prelude::*;
@@ -50,7 +51,7 @@ fn the_navion_has_the_published_short_period_and_phugoid() {
     let phugoid = mode(&analysis, ModeName::Phugoid);
     close(phugoid.natural_frequency().expect("a number"), 0.2137, 1e-3 * 0.2137);
     close(phugoid.damping_ratio().expect("a number"), 0.0801, 1e-3 * 0.0801);
-    assert_eq!(analysis.dynamic_stability, DynamicStability::Stable);
+    assert_eq!(analysis.dynamic_stability, Stability::Stable);
 }
 
 /// The lesson's model as printed, from its analysis with python-control: two pairs, the slow one growing.
@@ -58,14 +59,14 @@ fn the_navion_has_the_published_short_period_and_phugoid() {
 fn the_printed_lesson_is_statically_stable_and_dynamically_unstable() {
     let analysis = longitudinal("lesson-printed");
     assert_eq!(analysis.modes.len(), 2);
-    assert_eq!(mode(&analysis, ModeName::ShortPeriod).stability, DynamicStability::Stable);
+    assert_eq!(mode(&analysis, ModeName::ShortPeriod).stability, Stability::Stable);
     let phugoid = mode(&analysis, ModeName::Phugoid);
-    assert_eq!(phugoid.stability, DynamicStability::Unstable);
+    assert_eq!(phugoid.stability, Stability::Unstable);
     close(phugoid.time_to_double().expect("a number"), 4.114997864, 1e-8);
     close(phugoid.damping_ratio().expect("a number"), -0.146573756, 1e-9);
     assert_eq!(phugoid.time_to_half(), None);
-    assert_eq!(analysis.dynamic_stability, DynamicStability::Unstable);
-    assert_eq!(analysis.static_stability.verdict, StaticVerdict::Stable);
+    assert_eq!(analysis.dynamic_stability, Stability::Unstable);
+    assert_eq!(analysis.static_stability.verdict, Stability::Stable);
     close(analysis.static_stability.determinant, 18.1196586, 1e-9);
 }
 
@@ -120,7 +121,7 @@ fn without_speed_stability_the_static_limit_is_pitch_stiffness_zero() {
     let mut model = longitudinal("navion").model;
     model.a[(Longitudinal::Q.index(), Longitudinal::U.index())] = 0.0;
     for (m_w, expected) in
-        [(-1e-6, StaticVerdict::Stable), (0.0, StaticVerdict::Neutral), (1e-6, StaticVerdict::Unstable)]
+        [(-1e-6, Stability::Stable), (0.0, Stability::Neutral), (1e-6, Stability::Unstable)]
     {
         model.a[(Longitudinal::Q.index(), Longitudinal::W.index())] = m_w;
         assert_eq!(plane_static_stability(&model, None).verdict, expected, "M_w = {m_w}");

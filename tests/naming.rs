@@ -5,9 +5,10 @@ mod reference;
 use std::sync::Arc;
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
-use eigenwing::flight::modes::{DynamicStability, Mode, modes, modes_of};
-use eigenwing::flight::naming::ModeName::{self, *};
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::modes::mode::{Mode, modes, modes_of};
+use eigenwing::flight::modes::mode_name::ModeName::{self, *};
+use eigenwing::flight::modes::stability::Stability;
 use eigenwing::scenario::link;
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
@@ -122,8 +123,7 @@ fn the_navions_poles_along_the_sweeps_are_numpys() {
 /// What really changes: the number of pairs and of real roots that grow.
 fn structure(modes: &[Mode]) -> (usize, usize) {
     let pairs = modes.iter().filter(|mode| mode.is_oscillatory()).count();
-    let growing =
-        modes.iter().filter(|m| !m.is_oscillatory() && m.stability == DynamicStability::Unstable).count();
+    let growing = modes.iter().filter(|m| !m.is_oscillatory() && m.stability == Stability::Unstable).count();
     (pairs, growing)
 }
 

@@ -3,15 +3,15 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::{Motion, STANDARD_GRAVITY};
-use eigenwing::flight::figures::{
+use eigenwing::flight::modes::mode::Mode;
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::motion::frequency_response::{frequency_response, peaks, transfer};
+use eigenwing::flight::motion::outputs::Output;
+use eigenwing::flight::motion::response_metrics::{
     control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_figures, time_to_bank,
 };
-use eigenwing::flight::frequency_response::{frequency_response, peaks, transfer};
-use eigenwing::flight::modes::Mode;
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::outputs::Output;
-use eigenwing::flight::plane::Plane;
 use eigenwing::scenario::{START, Scenario, Shape, Source};
 
 fn scenario(key: &str, plane: Plane, source: Source, shape: Shape) -> Scenario {
@@ -156,7 +156,7 @@ fn a_long_sine_ends_as_the_frequency_response_says() {
         let row = output.row(&motion.model, &motion.forced);
         let gain = transfer(&motion.forced, &row, 0, 2.0).expect("a gain");
         let amplitude = match &motion.forced.forcings[0].input {
-            eigenwing::flight::inputs::Input::Sine { amplitude, .. } => *amplitude,
+            eigenwing::flight::motion::inputs::Input::Sine { amplitude, .. } => *amplitude,
             other => unreachable!("{other:?}"),
         };
         let values = motion.values(output);

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::scenario::{Page, Parameter, Scenario, Source, ValueError, parameters};
 
 fn scenarios() -> Vec<Scenario> {

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::PlaneAnalysis;
-use eigenwing::flight::eigen::eigenvalues;
-use eigenwing::flight::modes::Mode;
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::modes::eigen::eigenvalues;
+use eigenwing::flight::modes::mode::Mode;
+use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::scenario::{Obstacle, Page, Parameter, PlacementError, Scenario, by_strength, parameters};
 use nalgebra::Complex;
 

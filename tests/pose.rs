@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::outputs::Output;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::motion::outputs::Output;
 use eigenwing::scenario::{Flown, Parameter, Scenario, Source};
 
 fn scenarios() -> impl Iterator<Item = Scenario> {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use eigenwing::flight::inputs::Input;
-use eigenwing::flight::response::{Forced, Forcing, PathRates, Response, TimeGrid, respond};
+use eigenwing::flight::motion::inputs::Input;
+use eigenwing::flight::motion::response::{Forced, Forcing, PathRates, Response, TimeGrid, respond};
 use nalgebra::{Matrix4, Vector4};
 use serde::Deserialize;
 

@@ -1,8 +1,8 @@
 //! What holds for the response of every linear model.
 
-use eigenwing::flight::eigen::eigen;
-use eigenwing::flight::inputs::Input;
-use eigenwing::flight::response::{CUT_LIMIT, Forced, MOST_STEPS, Response, TimeGrid, steady_state};
+use eigenwing::flight::modes::eigen::eigen;
+use eigenwing::flight::motion::inputs::Input;
+use eigenwing::flight::motion::response::{CUT_LIMIT, Forced, MOST_STEPS, Response, TimeGrid, steady_state};
 use nalgebra::{Matrix4, Vector4};
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn step(amplitude: f64, start: f64) -> Input {
 }
 
 fn respond(a: &Matrix4<f64>, b: &Vector4<f64>, input: &Input, grid: TimeGrid) -> Response {
-    eigenwing::flight::response::respond(&Forced::from_rest(*a, *b, input.clone()), grid)
+    eigenwing::flight::motion::response::respond(&Forced::from_rest(*a, *b, input.clone()), grid)
 }
 
 fn run(input: &Input, grid: TimeGrid) -> Response {
@@ -92,7 +92,7 @@ proptest! {
         if rates {
             forced.forcings[0].rate_column = b;
         }
-        let response = eigenwing::flight::response::respond(&forced, TimeGrid { duration: time, steps: 60 });
+        let response = eigenwing::flight::motion::response::respond(&forced, TimeGrid { duration: time, steps: 60 });
         assert_honest(&response);
         prop_assert_eq!(response.states.len(), response.path.len());
         prop_assert!(response.cut_at.is_some() || response.states.len() == 61);

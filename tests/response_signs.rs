@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::states::Longitudinal;
+use eigenwing::flight::aircraft::states::Longitudinal;
 use eigenwing::scenario::{Choice, START, Scenario, Shape, Source};
 use nalgebra::Vector4;
 

@@ -2,10 +2,10 @@
 
 mod reference;
 
-use eigenwing::flight::modes::{Mode, modes_of};
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::Plane;
-use eigenwing::flight::sensitivity::{
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::modes::mode::{Mode, modes_of};
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::modes::sensitivity::{
     REPEATED_CONDITION, Rate, Sensitivity, entry_rate, entry_sensitivity, sensitivity,
 };
 use nalgebra::{Complex, Matrix4};

@@ -1,14 +1,15 @@
 //! What every rigid body and every flight must do, and what SciPy has them do.
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::aerodynamics::Controls;
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::flight_path::{Excitation, FlightPath};
-use eigenwing::flight::integrator::{Integrator, STEP_ERROR};
-use eigenwing::flight::response::TimeGrid;
-use eigenwing::flight::rigid_body::{Attitude, Inertia, State};
-use eigenwing::flight::six_dof::{SixDof, Wind};
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::inertia::Inertia;
+use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::motion::aerodynamics::Controls;
+use eigenwing::flight::motion::flight_path::{Excitation, FlightPath};
+use eigenwing::flight::motion::integrator::{Integrator, STEP_ERROR};
+use eigenwing::flight::motion::response::TimeGrid;
+use eigenwing::flight::motion::rigid_body::{Attitude, State};
+use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 use nalgebra::{Vector3, Vector4};
 use proptest::prelude::*;
 use serde_json::Value;

@@ -3,8 +3,8 @@
 use std::sync::{Arc, LazyLock};
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::modes::Mode;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::modes::mode::Mode;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
 use proptest::prelude::*;
 

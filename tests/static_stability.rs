@@ -5,10 +5,11 @@ mod reference;
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::modes::{DynamicStability, modes, modes_of};
-use eigenwing::flight::plane::{Plane, PlaneModel};
-use eigenwing::flight::static_stability::{
-    PlaneStiffness, StaticVerdict, manoeuvre_margin, plane_static_stability, static_margin,
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::flight::modes::mode::{modes, modes_of};
+use eigenwing::flight::modes::stability::Stability;
+use eigenwing::flight::verdicts::static_stability::{
+    PlaneStiffness, manoeuvre_margin, plane_static_stability, static_margin,
 };
 use eigenwing::scenario::{Parameter, Scenario};
 use nalgebra::Matrix4;
@@ -25,11 +26,11 @@ fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
         for plane in [Plane::Longitudinal, Plane::Lateral] {
             match plane_static_stability(&reference.model(plane), None).stiffness {
                 PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
-                    assert_eq!(m_w.verdict, StaticVerdict::Stable, "{}", reference.id);
+                    assert_eq!(m_w.verdict, Stability::Stable, "{}", reference.id);
                     assert!(to_manoeuvre_point.expect("a speed") > 0.0);
                 }
                 PlaneStiffness::Lateral { n_v, l_v, .. } => {
-                    assert_eq!((n_v.verdict, l_v.verdict), (StaticVerdict::Stable, StaticVerdict::Stable));
+                    assert_eq!((n_v.verdict, l_v.verdict), (Stability::Stable, Stability::Stable));
                     assert!(n_v.value > 0.0 && l_v.value < 0.0, "{}", reference.id);
                 }
             }
@@ -41,14 +42,12 @@ fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
 fn a_real_root_that_grows_alone_is_what_a_negative_determinant_means() {
     for (id, model) in all_models() {
         let growing = modes(&model).expect("modes");
-        let growing = growing
-            .iter()
-            .filter(|m| !m.is_oscillatory() && m.stability == DynamicStability::Unstable)
-            .count();
+        let growing =
+            growing.iter().filter(|m| !m.is_oscillatory() && m.stability == Stability::Unstable).count();
         let found = plane_static_stability(&model, None);
         assert_eq!(found.determinant > 0.0, growing % 2 == 0, "{id}");
         if model.plane == Plane::Longitudinal {
-            let expected = if growing == 0 { StaticVerdict::Stable } else { StaticVerdict::Unstable };
+            let expected = if growing == 0 { Stability::Stable } else { Stability::Unstable };
             assert_eq!(found.verdict, expected, "{id}");
         }
     }
@@ -63,7 +62,7 @@ fn the_navion_is_neutral_at_no_stiffness_and_manoeuvres_until_the_manoeuvre_poin
         )
     };
     let verdicts = [1.0, 1e-9, 0.0, -1e-9].map(|factor| at(factor).verdict);
-    use StaticVerdict::{Neutral, Stable, Unstable};
+    use Stability::{Neutral, Stable, Unstable};
     assert_eq!(verdicts, [Stable, Stable, Neutral, Unstable]);
     let PlaneStiffness::Longitudinal { to_manoeuvre_point, .. } = at(1.0).stiffness else { panic!("pitch") };
     // Mw = Zw Mq/V = +0.023887 1/(ft·s)
@@ -103,7 +102,7 @@ fn the_navions_spiral_is_neutral_where_the_condition_is() {
     };
     let (one, _) = condition(1.0);
     assert!(condition(factor).0.value.abs() < 1e-6 * one.value);
-    use StaticVerdict::{Stable, Unstable};
+    use Stability::{Stable, Unstable};
     for (by, expected) in [(1.001, Stable), (0.999, Unstable)] {
         let (spiral, determinant) = condition(factor * by);
         assert_eq!((spiral.verdict, determinant > 0.0), (expected, expected == Stable));
@@ -122,13 +121,13 @@ fn sideways_the_verdict_is_on_the_moments_of_a_sideslip_not_on_the_spiral() {
     // Half the dihedral: the Navion's spiral grows, but a sideslip still rolls and yaws it back.
     let spiral = lateral([0.5 * sweeps().spiral_neutral_l_beta_factor, 1.0]);
     assert!(spiral.determinant < 0.0);
-    assert_eq!(spiral.verdict, StaticVerdict::Stable);
+    assert_eq!(spiral.verdict, Stability::Stable);
     // Turned out of the wind so hard that two real roots grow: det A is positive again.
     let weathercock = lateral([1.0, -1.4]);
     assert!(weathercock.determinant > 0.0);
-    assert_eq!(weathercock.verdict, StaticVerdict::Unstable);
-    assert_eq!(lateral([-0.1, 1.0]).verdict, StaticVerdict::Unstable);
-    assert_eq!(lateral([0.0, 1.0]).verdict, StaticVerdict::Neutral);
+    assert_eq!(weathercock.verdict, Stability::Unstable);
+    assert_eq!(lateral([-0.1, 1.0]).verdict, Stability::Unstable);
+    assert_eq!(lateral([0.0, 1.0]).verdict, Stability::Neutral);
 }
 
 /// The number on screen is the slider's, whatever is folded into the matrix.
@@ -149,7 +148,7 @@ fn stiffnesses_are_the_derivatives_where_there_are_any() {
     };
     let (m_w, found) = pitch(&scenario);
     assert!((m_w.value - row("m_w").get(&scenario)).abs() < 1e-12);
-    assert!(found.is_plain && m_w.value < 0.0 && m_w.verdict == StaticVerdict::Stable);
+    assert!(found.is_plain && m_w.value < 0.0 && m_w.verdict == Stability::Stable);
     // The entry of A has M_ẇ Z_w folded in, and another sign here.
     assert!(row("a_qw").get(&scenario) > 0.0);
     let PlaneStiffness::Lateral { n_v, l_v, .. } = stability(&scenario, Plane::Lateral).stiffness else {
@@ -170,9 +169,9 @@ fn static_stability_is_neither_needed_nor_enough_for_dynamic_stability() {
         -0.045, 0.036, 0.0, -9.81, -0.369, -2.02, 1.76, 0.0, 0.191, -3.96, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
     ]);
     let found = plane_static_stability(&PlaneModel { a, ..navion(Plane::Longitudinal) }, None);
-    assert_eq!(found.verdict, StaticVerdict::Stable);
+    assert_eq!(found.verdict, Stability::Stable);
     let modes = modes_of(Plane::Longitudinal, &a).expect("modes");
-    assert!(modes.iter().any(|mode| mode.stability == DynamicStability::Unstable));
+    assert!(modes.iter().any(|mode| mode.stability == Stability::Unstable));
 }
 
 proptest! {

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use eigenwing::content::aircraft::{Comparison, PlaneNotes, Quantity, compare};
 use eigenwing::content::{Aircraft, Status, embedded_aircraft};
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
 
 const PLANES: [Plane; 2] = [Plane::Longitudinal, Plane::Lateral];
 

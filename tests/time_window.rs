@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::PlaneAnalysis;
-use eigenwing::flight::modes::Mode;
-use eigenwing::flight::naming::ModeName;
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::modes::mode::Mode;
+use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::scenario::{Parameter, Scenario, Shape, Source};
 
 fn scenarios() -> impl Iterator<Item = Scenario> {

@@ -5,7 +5,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use eigenwing::flight::turbulence::{Dryden, MOST_SAMPLES, Severity, gust_pitch_rate, gust_yaw_rate};
+use eigenwing::flight::motion::turbulence::{Dryden, MOST_SAMPLES, Severity, gust_pitch_rate, gust_yaw_rate};
 use nalgebra::Complex;
 use serde::Deserialize;
 

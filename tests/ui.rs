@@ -6,8 +6,8 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::PlaneAnalysis;
-use eigenwing::flight::plane::Plane;
 use eigenwing::scenario::{Page, Parameter, Source, parameters};
 use eigenwing::ui::App;
 use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into, value};
@@ -201,7 +201,7 @@ fn the_printed_lesson_warns_of_its_units_and_compares_with_the_mended_one() {
 fn a_growing_root_has_no_time_constant() {
     let mut harness = page(WIDE);
     open(&mut harness, "v=1&ac=c47&plane=lat");
-    let grows = |mode: &&eigenwing::flight::modes::Mode| mode.time_to_double().is_some();
+    let grows = |mode: &&eigenwing::flight::modes::mode::Mode| mode.time_to_double().is_some();
     assert_eq!(analysis(&harness).modes.iter().filter(grows).count(), 1, "the spiral");
     let with_constant = analysis(&harness).modes.iter().filter(|mode| mode.time_constant().is_some()).count();
     assert_eq!((with_constant, harness.query_all_by_label("τ").count()), (2, 1), "of the roll only");

@@ -6,7 +6,7 @@ use egui::accesskit::{Role, Toggled};
 use egui::{Key, Modifiers, OutputCommand, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use eigenwing::flight::plane::Plane;
+use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::scenario::Parameter;
 use eigenwing::ui::App;
 use page::{PHONE, Page, WIDE, page};

@@ -5,7 +5,7 @@ mod page;
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use eigenwing::flight::outputs::Output;
+use eigenwing::flight::motion::outputs::Output;
 use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into};
 
 fn motion(harness: &page::Page) -> eigenwing::flight::analysis::Motion {

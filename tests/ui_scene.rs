@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use eigenwing::flight::naming::ModeName;
+use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::ui::App;
 
 const WIDE: Vec2 = Vec2::new(1440.0, 900.0);

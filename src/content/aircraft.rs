@@ -2,9 +2,9 @@
 
 pub use super::published::{Comparison, Published, PublishedMode, Quantity, compare};
 pub use super::reader::ContentError;
-use crate::flight::mil_f_8785c::{Category, Class};
-use crate::flight::plane::Plane;
-use crate::flight::study::Study;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::study::Study;
+use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
 /// An aircraft in one flight condition.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,10 +8,10 @@ use super::published::read_published;
 use super::reader::{Block, ContentError};
 use super::shapes::{SHAPES, USUAL_SHAPE};
 use super::units::UnitSystem;
+use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
-use crate::flight::mil_f_8785c::{Category, Class};
-use crate::flight::plane::{Plane, PlaneModel, Trim};
-use crate::flight::study::{MatrixStudy, Study};
+use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
 /// What a file starts from.
 #[derive(Clone, Copy)]

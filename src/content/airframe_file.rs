@@ -3,18 +3,18 @@
 use super::aircraft::Particulars;
 use super::reader::{Block, ContentError};
 use super::units::UnitSystem;
-use crate::flight::atmosphere::standard_air;
-use crate::flight::coefficients::{
+use crate::flight::aircraft::atmosphere::standard_air;
+use crate::flight::aircraft::coefficients::{
     Airframe, Coefficients, Field, Fin, HorizontalTail, InertiaAxes, LATERAL_COEFFICIENTS,
     LONGITUDINAL_COEFFICIENTS, LateralCoefficients, LongitudinalCoefficients, PlanarInertia,
 };
-use crate::flight::condition::{FlightCondition, Reference, STEEPEST_PATH, Validity};
-use crate::flight::derivatives::{
+use crate::flight::aircraft::condition::{FlightCondition, Reference, STEEPEST_PATH, Validity};
+use crate::flight::aircraft::derivatives::{
     LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES, LateralDerivatives, LongitudinalDerivatives,
 };
-use crate::flight::plane::Trim;
-use crate::flight::rigid_body::Inertia;
-use crate::flight::study::{CoefficientStudy, DerivativeStudy, Study};
+use crate::flight::aircraft::inertia::Inertia;
+use crate::flight::aircraft::plane::Trim;
+use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Study};
 
 /// Axes in which a file's derivatives are given.
 #[derive(Clone, Copy, PartialEq)]

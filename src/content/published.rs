@@ -3,8 +3,8 @@
 use nalgebra::Complex;
 
 use super::reader::{Block, ContentError};
-use crate::flight::eigen::{EigenError, eigen};
-use crate::flight::plane::PlaneModel;
+use crate::flight::aircraft::plane::PlaneModel;
+use crate::flight::modes::eigen::{EigenError, eigen};
 
 /// The mode a published number belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

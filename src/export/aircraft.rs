@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::subject::plane_name;
 use crate::content::{Aircraft, Status};
-use crate::flight::mil_f_8785c::{Category, Class};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
 /// Which aircraft was asked about.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::flight::approximations::{Approximation, ModeValue};
+use crate::flight::modes::approximations::{Approximation, ModeValue};
 
 /// A textbook approximation beside the exact mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,7 +2,7 @@
 
 use super::plane::input_names;
 use super::subject::{ExportError, nearest, plane_name};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::{Analysis, Channel};
 use crate::scenario::{Scenario, Shape, Source};
 

@@ -2,14 +2,14 @@
 
 use serde::Serialize;
 
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::Motion;
-use crate::flight::figures::{
+use crate::flight::modes::mode::Mode;
+use crate::flight::motion::inputs::Input;
+use crate::flight::motion::outputs::Output;
+use crate::flight::motion::response_metrics::{
     control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
 };
-use crate::flight::inputs::Input;
-use crate::flight::modes::Mode;
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
 use crate::scenario::{Quantity, START, Scenario, Source};
 
 /// Figures of a motion: of its samples from the first to where it is no small disturbance any more, at 1,200 steps or more.

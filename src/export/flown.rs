@@ -5,8 +5,8 @@ use serde::Serialize;
 use super::respond::Signal;
 use crate::flight::Experiment;
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::experiment::fly;
-use crate::flight::outputs::Output;
+use crate::flight::motion::experiment::fly;
+use crate::flight::motion::outputs::Output;
 use crate::scenario::Scenario;
 
 /// A nonlinear flight, or why there is none.

@@ -8,9 +8,11 @@ use super::aircraft::AircraftReport;
 use super::disturbance::{DISTURBANCES, channel_name, choose_disturbance, named, no_motion};
 use super::subject::{ExportError, Subject, plane_name};
 use super::sweep::MOST_POINTS;
-use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::frequency_response::{
+    FrequencyPoint, Peak, frequency_range, frequency_response, peaks,
+};
+use crate::flight::motion::outputs::Output;
 use crate::scenario::{Quantity, Source};
 
 /// Frequencies \[rad/s\] that are accepted: no motion of an aircraft is beyond them.

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::flight::handling_qualities::Verdict;
-use crate::flight::mil_f_8785c::Criterion;
+use crate::flight::verdicts::handling_qualities::Verdict;
+use crate::flight::verdicts::mil_f_8785c::Criterion;
 
 /// A level of handling qualities.
 #[derive(Clone, Debug, PartialEq, Serialize)]

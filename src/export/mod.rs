@@ -22,9 +22,9 @@ use serde_json::{Map, Value, json};
 
 use self::plane::{dynamic_word, static_word};
 use self::subject::plane_name;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{Motion, PlaneAnalysis};
-use crate::flight::modes::Mode;
-use crate::flight::plane::Plane;
+use crate::flight::modes::mode::Mode;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::{Scenario, parameters};
 

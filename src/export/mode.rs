@@ -4,7 +4,7 @@ use nalgebra::{Complex, Vector4};
 use serde::Serialize;
 
 use super::plane::dynamic_word;
-use crate::flight::modes::Mode;
+use crate::flight::modes::mode::Mode;
 
 /// One mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -6,10 +6,11 @@ use serde::Serialize;
 use super::approximation::ApproximationReport;
 use super::level::LevelReport;
 use super::mode::ModeReport;
+use crate::flight::aircraft::plane::{Plane, Trim};
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::plane::{Plane, Trim};
-use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::stability::Stability;
+use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
 
 /// What follows for one plane of motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -151,19 +152,19 @@ impl StaticReport {
 }
 
 /// Dynamic stability in a word.
-pub const fn dynamic_word(stability: DynamicStability) -> &'static str {
+pub const fn dynamic_word(stability: Stability) -> &'static str {
     match stability {
-        DynamicStability::Stable => "stable",
-        DynamicStability::Neutral => "neutral",
-        DynamicStability::Unstable => "unstable",
+        Stability::Stable => "stable",
+        Stability::Neutral => "neutral",
+        Stability::Unstable => "unstable",
     }
 }
 
 /// Static stability in a word.
-pub const fn static_word(verdict: StaticVerdict) -> &'static str {
+pub const fn static_word(verdict: Stability) -> &'static str {
     match verdict {
-        StaticVerdict::Stable => "stable",
-        StaticVerdict::Neutral => "neutral",
-        StaticVerdict::Unstable => "unstable",
+        Stability::Stable => "stable",
+        Stability::Neutral => "neutral",
+        Stability::Unstable => "unstable",
     }
 }

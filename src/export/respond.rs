@@ -12,8 +12,8 @@ use super::figures::FiguresReport;
 use super::flown::FlightOutcome;
 use super::split::SplitOutcome;
 use super::subject::{ExportError, Subject, plane_name};
-use crate::flight::outputs::Output;
-use crate::flight::response::MOST_STEPS;
+use crate::flight::motion::outputs::Output;
+use crate::flight::motion::response::MOST_STEPS;
 use crate::flight::{Analysis, Experiment, analyse};
 use crate::scenario::{Quantity, Scenario, Source};
 

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::flight::analysis::Motion;
-use crate::flight::modes::Mode;
-use crate::flight::outputs::Output;
+use crate::flight::modes::mode::Mode;
+use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
 
 /// An output split into the parts of the modes, or why it has no meaningful split.

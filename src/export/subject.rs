@@ -6,8 +6,8 @@ use thiserror::Error;
 
 use crate::content::{Aircraft, ContentError, FILES, MatrixFormat};
 use crate::flight::AnalysisError;
-use crate::flight::plane::Plane;
-use crate::flight::study::StudyError;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::study::StudyError;
 use crate::number::significant;
 use crate::scenario::{Parameter, Scenario, ValueError, parameters};
 

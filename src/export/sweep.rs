@@ -8,11 +8,12 @@ use super::aircraft::AircraftReport;
 use super::plane::{dynamic_word, static_word};
 use super::report::Units;
 use super::subject::{ExportError, Subject, checked, find_parameter, plane_name};
-use crate::flight::edits::Edited;
-use crate::flight::modes::{DynamicStability, Mode, dynamic_stability, modes};
-use crate::flight::plane::{Plane, PlaneModel};
-use crate::flight::static_stability::{StaticVerdict, plane_static_stability};
-use crate::flight::study::StudyError;
+use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::study::StudyError;
+use crate::flight::modes::mode::{Mode, modes};
+use crate::flight::modes::stability::{Stability, dynamic_stability};
+use crate::flight::verdicts::static_stability::plane_static_stability;
 use crate::scenario::{Parameter, Scenario};
 
 /// More points than this are refused: a slip of the finger, and more than a file is good for.
@@ -267,7 +268,7 @@ enum Verdict {
 }
 
 /// The word of a verdict on the boundary.
-const NEUTRAL: &str = static_word(StaticVerdict::Neutral);
+const NEUTRAL: &str = static_word(Stability::Neutral);
 
 impl Verdict {
     const fn text(self) -> &'static str {
@@ -314,7 +315,7 @@ fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String
     let of_static = plane_static_stability(model, edited.derivatives_behind(model.plane).as_ref());
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
-    let of_dynamic: DynamicStability = dynamic_stability(worst, fastest);
+    let of_dynamic: Stability = dynamic_stability(worst, fastest);
     Ok(SweepPlane {
         static_stability: static_word(of_static.verdict),
         dynamic_stability: dynamic_word(of_dynamic),

@@ -3,34 +3,26 @@
 use nalgebra::Vector4;
 use thiserror::Error;
 
-use super::approximations::{Approximation, approximations};
-use super::edits::{Edited, Offsets};
-use super::eigen::EigenError;
-use super::experiment::{Experiment, forced};
-use super::handling_qualities::{Verdict, handling_qualities};
-use super::mil_f_8785c::{Category, Class};
-use super::modal_sum::{ModalSum, SplitError, modal_sum};
-use super::modes::{DynamicStability, Mode, modes};
-use super::outputs::Output;
-use super::plane::{Plane, PlaneModel};
-use super::response::{Forced, Response, respond};
-use super::states::Longitudinal::{Theta, U};
-use super::static_stability::{
+use super::aircraft::edits::{Edited, Offsets};
+use super::aircraft::plane::{Plane, PlaneModel};
+use super::aircraft::states::Longitudinal::{Theta, U};
+use super::aircraft::study::{Derived, Models, Study, StudyError};
+use super::modes::approximations::{Approximation, approximations};
+use super::modes::eigen::EigenError;
+use super::modes::mode::{Mode, modes};
+use super::motion::experiment::{Experiment, forced};
+use super::motion::modal_sum::{ModalSum, SplitError, modal_sum};
+use super::motion::outputs::Output;
+use super::motion::response::{Forced, Response, respond};
+use super::verdicts::handling_qualities::{Verdict, handling_qualities};
+use super::verdicts::static_stability::{
     PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,
 };
-use super::study::{Derived, Models, Study, StudyError};
+use super::verdicts::task::Task;
+use crate::flight::modes::stability::Stability;
 
 /// Standard acceleration of free fall g \[m/s²\] (CGPM 1901).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
-
-/// What a specification is applied for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Task {
-    /// Class of aircraft.
-    pub class: Class,
-    /// Category of flight phase.
-    pub category: Category,
-}
 
 /// Gravity in the model beside gravity at the Earth's surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +51,7 @@ pub struct PlaneAnalysis {
     /// The modes in the order of their names, each conjugate pair once.
     pub modes: Vec<Mode>,
     /// The verdict on the whole: that of its worst mode.
-    pub dynamic_stability: DynamicStability,
+    pub dynamic_stability: Stability,
     /// Static stability, a verdict of its own.
     pub static_stability: PlaneStaticStability,
     /// Textbook approximations beside the exact modes.
@@ -181,7 +173,7 @@ fn analyse_plane(
     }
     let modes = modes(&model)?;
     Ok(PlaneAnalysis {
-        dynamic_stability: worst(modes.iter().map(|mode| mode.stability)),
+        dynamic_stability: modes.iter().map(|mode| mode.stability).max().unwrap_or_default(),
         static_stability: plane_static_stability(&model, edited.derivatives_behind(model.plane).as_ref()),
         approximations: approximations(&model, &modes),
         levels: task
@@ -221,14 +213,6 @@ fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
     };
     let k = response.states.iter().position(|x| !small(x))?;
     Some(k as f64 * response.dt)
-}
-
-fn worst(verdicts: impl Iterator<Item = DynamicStability>) -> DynamicStability {
-    verdicts.fold(DynamicStability::Stable, |worst, verdict| match (worst, verdict) {
-        (DynamicStability::Unstable, _) | (_, DynamicStability::Unstable) => DynamicStability::Unstable,
-        (DynamicStability::Neutral, _) | (_, DynamicStability::Neutral) => DynamicStability::Neutral,
-        (DynamicStability::Stable, DynamicStability::Stable) => DynamicStability::Stable,
-    })
 }
 
 /// Margins of an aircraft given by coefficients, unless its derivatives have been edited apart from them.

@@ -20,52 +20,24 @@
 //! | *ψ* | heading \[rad\], nose right positive |
 //! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
 //!
+//! # Rooms
+//!
+//! | room | what | uses |
+//! |---|---|---|
+//! | [`aircraft`] | from the numbers of a source to A and B | – |
+//! | [`modes`] | eigenvalues, their names, what moves them, what textbooks say of them | `aircraft` |
+//! | [`verdicts`] | static stability and handling qualities | the rooms above |
+//! | [`motion`] | disturbances, and the answers to them in time and over frequency | `aircraft`, `modes` |
+//! | [`analysis`] | the one entry point | all of them |
+//!
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
 //! cannot show.
 
-pub mod aerodynamics;
+pub mod aircraft;
 pub mod analysis;
-pub mod approximations;
-pub mod atmosphere;
-pub mod axes;
-pub mod coefficients;
-pub mod condition;
-pub mod derivatives;
-pub mod edits;
-pub mod eigen;
-pub mod experiment;
-pub mod figures;
-pub mod flight_path;
-pub mod frequency_response;
-pub mod gusts;
-pub mod handling_qualities;
-pub mod inputs;
-pub mod integrator;
-pub mod inverse;
-pub mod knobs;
-mod least_change;
-pub mod level_boundaries;
-pub mod locus;
-pub mod mil_f_8785c;
-pub mod modal_sum;
 pub mod modes;
-pub mod naming;
-mod naming_lateral;
-mod naming_longitudinal;
-pub mod outputs;
-pub mod path;
-pub mod plane;
-pub mod real;
-pub mod response;
-pub mod rigid_body;
-mod schur;
-pub mod second_order;
-pub mod sensitivity;
-pub mod six_dof;
-pub mod states;
-pub mod static_stability;
-pub mod study;
-pub mod turbulence;
+pub mod motion;
+pub mod verdicts;
 
 pub use analysis::{Analysis, AnalysisError, analyse};
-pub use experiment::{Channel, Experiment, Start};
+pub use motion::experiment::{Channel, Experiment, Start};

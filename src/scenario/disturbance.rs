@@ -1,7 +1,7 @@
 //! The disturbances a person can choose: what moves, in which shape, and how strongly, each remembered.
 
-use crate::flight::inputs::Input;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::inputs::Input;
 use crate::flight::{Channel, Start};
 
 /// Every disturbance begins here, so that the undisturbed flight before it can be seen \[s\].

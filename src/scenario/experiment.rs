@@ -1,15 +1,15 @@
 //! The experiment that a scenario describes, in the terms of the core.
 
 use super::{Scenario, Source};
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::{Motion, PlaneAnalysis};
-use crate::flight::experiment::{fly, forced};
-use crate::flight::flight_path::FlightPath;
-use crate::flight::inputs::Input;
-use crate::flight::plane::Plane;
-use crate::flight::response::{Forced, TimeGrid};
-use crate::flight::six_dof::SixDofError;
-use crate::flight::study::Study;
-use crate::flight::turbulence::{Dryden, Severity};
+use crate::flight::motion::experiment::{fly, forced};
+use crate::flight::motion::flight_path::FlightPath;
+use crate::flight::motion::inputs::Input;
+use crate::flight::motion::response::{Forced, TimeGrid};
+use crate::flight::motion::six_dof::SixDofError;
+use crate::flight::motion::turbulence::{Dryden, Severity};
 use crate::flight::{Channel, Experiment, Start};
 
 /// Intervals between the samples of a response: one a pixel or finer on a wide screen.

@@ -14,9 +14,9 @@ mod window;
 use std::sync::Arc;
 
 use crate::content::Aircraft;
-use crate::flight::analysis::Task;
-use crate::flight::edits::Edited;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::verdicts::task::Task;
 use crate::flight::{Analysis, AnalysisError, analyse};
 
 pub use dimension::Dimension;

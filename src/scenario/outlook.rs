@@ -4,12 +4,12 @@ use nalgebra::Matrix4;
 
 use super::Scenario;
 use super::parameters::{Page, Parameter, parameters};
+use crate::flight::aircraft::coefficients::Coefficients;
+use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::coefficients::Coefficients;
-use crate::flight::locus::{Locus, locus};
-use crate::flight::modes::Mode;
-use crate::flight::sensitivity::{Sensitivity, sensitivity};
-use crate::flight::study::Study;
+use crate::flight::modes::locus::{Locus, locus};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::sensitivity::{Sensitivity, sensitivity};
 
 /// Points of a path: twice what a wide screen can tell apart.
 const LOCUS_EVALUATIONS: usize = 200;

@@ -5,11 +5,11 @@ use thiserror::Error;
 
 use super::parameters::{Page, Parameter};
 use super::{RowSensitivity, Scenario};
-use crate::flight::eigen::eigenvalues;
-use crate::flight::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
-use crate::flight::modes::Mode;
-use crate::flight::naming::ModeName;
-use crate::flight::sensitivity::sensitivity;
+use crate::flight::modes::eigen::eigenvalues;
+use crate::flight::modes::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::sensitivity::sensitivity;
 
 /// A derivative that moves |λ| by less than this fraction for a notable change of its own doesn't move the pole.
 const STILL: f64 = 1e-6;

@@ -4,12 +4,12 @@
 use nalgebra::{Vector2, Vector4};
 
 use super::Scenario;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::states::{Lateral, Longitudinal};
+use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::{Motion, STANDARD_GRAVITY};
-use crate::flight::flight_path::FlightPath;
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
-use crate::flight::states::{Lateral, Longitudinal};
-use crate::flight::study::Study;
+use crate::flight::motion::flight_path::FlightPath;
+use crate::flight::motion::outputs::Output;
 use crate::flight::{Channel, Start};
 
 /// The largest angle that a mode flown alone is made to show \[rad\].

@@ -1,7 +1,7 @@
 //! The outputs of a motion as a person reads them: symbol, name and unit.
 
 use super::Dimension;
-use crate::flight::outputs::Output;
+use crate::flight::motion::outputs::Output;
 
 /// How an output is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

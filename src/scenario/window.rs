@@ -2,11 +2,11 @@
 
 use super::{Scenario, Source};
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::experiment::{Experiment, forced};
-use crate::flight::modal_sum::modal_sum;
-use crate::flight::modes::Mode;
-use crate::flight::outputs::Output;
-use crate::flight::response::{TimeGrid, respond};
+use crate::flight::modes::mode::Mode;
+use crate::flight::motion::experiment::{Experiment, forced};
+use crate::flight::motion::modal_sum::modal_sum;
+use crate::flight::motion::outputs::Output;
+use crate::flight::motion::response::{TimeGrid, respond};
 use crate::number::round_up;
 
 /// A mode is visible whose part reaches this share of the whole in one of the states: a dozen points of a small plot.

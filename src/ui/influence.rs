@@ -4,8 +4,8 @@ use egui::{Rect, Response, RichText, Sense, Ui, Vec2};
 
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
-use crate::flight::modes::Mode;
-use crate::flight::sensitivity::Sensitivity;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::sensitivity::Sensitivity;
 use crate::number::significant;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Parameter, RowSensitivity, Scenario, by_strength};

@@ -1,11 +1,11 @@
 //! What follows from the scenario on screen, computed again only when the scenario has changed. Only pictures are held elsewhere:
 //! curves, triangles and shapes, each beside what it was made of (`kept`).
 
+use crate::flight::aircraft::coefficients::Coefficients;
 use crate::flight::analysis::{Motion, PlaneAnalysis};
-use crate::flight::coefficients::Coefficients;
-use crate::flight::flight_path::FlightPath;
-use crate::flight::locus::Locus;
-use crate::flight::six_dof::SixDofError;
+use crate::flight::modes::locus::Locus;
+use crate::flight::motion::flight_path::FlightPath;
+use crate::flight::motion::six_dof::SixDofError;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::{Disturbance, Page, Parameter, RowSensitivity, Scenario};
 

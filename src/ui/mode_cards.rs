@@ -11,13 +11,14 @@ use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::Analysis;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
-use crate::flight::approximations::{Approximation, ModeValue};
-use crate::flight::handling_qualities::{Level, Verdict};
-use crate::flight::mil_f_8785c::Category;
-use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::plane::Plane;
-use crate::flight::static_stability::{PlaneStaticStability, PlaneStiffness, StaticVerdict};
+use crate::flight::modes::approximations::{Approximation, ModeValue};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::stability::Stability;
+use crate::flight::verdicts::handling_qualities::{Level, Verdict};
+use crate::flight::verdicts::mil_f_8785c::Category;
+use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
 use crate::number::{fixed, significant};
 use crate::scenario::Dimension;
 use crate::scenario::link::Details;
@@ -25,9 +26,9 @@ use crate::scenario::link::Details;
 /// The verdicts: dynamic, then static, each with its numbers.
 pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
     let dynamic = match plane.dynamic_stability {
-        DynamicStability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
-        DynamicStability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
-        DynamicStability::Unstable => {
+        Stability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
+        Stability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
+        Stability::Unstable => {
             let growing = plane.modes.iter().filter_map(|mode| {
                 let doubles = mode.time_to_double()?;
                 let name = mode.naming.name.in_a_sentence();
@@ -43,9 +44,9 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>,
 
     let (text, meaning) = static_words(&plane.static_stability, margins, length);
     let stability = match plane.static_stability.verdict {
-        StaticVerdict::Stable => DynamicStability::Stable,
-        StaticVerdict::Neutral => DynamicStability::Neutral,
-        StaticVerdict::Unstable => DynamicStability::Unstable,
+        Stability::Stable => Stability::Stable,
+        Stability::Neutral => Stability::Neutral,
+        Stability::Unstable => Stability::Unstable,
     };
     verdict_ui(ui, &text, stability).on_hover_text(meaning);
 }
@@ -61,10 +62,10 @@ fn static_words(
         let value = value / Dimension::PerLengthSecond.in_si(length);
         format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
     };
-    let word = |verdict: &StaticVerdict| match verdict {
-        StaticVerdict::Stable => "stable",
-        StaticVerdict::Neutral => "neutral",
-        StaticVerdict::Unstable => "unstable",
+    let word = |verdict: &Stability| match verdict {
+        Stability::Stable => "stable",
+        Stability::Neutral => "neutral",
+        Stability::Unstable => "unstable",
     };
     match stiffness {
         PlaneStiffness::Longitudinal { m_w, .. } => {
@@ -74,9 +75,9 @@ fn static_words(
                 format!(", static margin {}, manoeuvre margin {}", percent(neutral), percent(manoeuvre))
             });
             let determinant = match verdict {
-                StaticVerdict::Stable => format!("det A = {} 1/s⁴ > 0", significant(*determinant, 3)),
-                StaticVerdict::Neutral => "det A ≈ 0".to_owned(),
-                StaticVerdict::Unstable => format!("det A = {} 1/s⁴ < 0", significant(*determinant, 3)),
+                Stability::Stable => format!("det A = {} 1/s⁴ > 0", significant(*determinant, 3)),
+                Stability::Neutral => "det A ≈ 0".to_owned(),
+                Stability::Unstable => format!("det A = {} 1/s⁴ < 0", significant(*determinant, 3)),
             };
             let folded = if *is_plain { "" } else { " with ẇ terms" };
             let text = format!(
@@ -90,7 +91,7 @@ fn static_words(
             (text, meaning.to_owned())
         }
         PlaneStiffness::Lateral { n_v, l_v, .. } => {
-            let of = |verdict: StaticVerdict| match (n_v.verdict == verdict, l_v.verdict == verdict) {
+            let of = |verdict: Stability| match (n_v.verdict == verdict, l_v.verdict == verdict) {
                 (true, true) => "in yaw and roll",
                 (true, false) => "in yaw",
                 (false, _) => "in roll",
@@ -111,7 +112,7 @@ fn static_words(
     }
 }
 
-fn verdict_ui(ui: &mut Ui, text: &str, stability: DynamicStability) -> Response {
+fn verdict_ui(ui: &mut Ui, text: &str, stability: Stability) -> Response {
     let (color, ground) = Palette::of(ui).verdict(stability);
     banner_ui(ui, text, color, ground)
 }
@@ -325,9 +326,9 @@ const NO_LEVEL: &str = "no level";
 /// Whether it dies away, and the level of handling qualities where there is one.
 fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<String>; 2] {
     let stability = match mode.stability {
-        DynamicStability::Stable => "stable",
-        DynamicStability::Neutral => "neutral",
-        DynamicStability::Unstable => "unstable",
+        Stability::Stable => "stable",
+        Stability::Neutral => "neutral",
+        Stability::Unstable => "unstable",
     };
     let mark = if details.levels { "▾" } else { "▸" };
     let level = match worst(plane, mode) {
@@ -347,9 +348,9 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
     chip_ui(ui, stability.unwrap_or_default(), Palette::of(ui).verdict(mode.stability));
     if let Some(((level, category), short)) = worst(plane, mode).zip(short) {
         let (color, ground) = Palette::of(ui).verdict(match level {
-            Level::One => DynamicStability::Stable,
-            Level::Two => DynamicStability::Neutral,
-            Level::Three | Level::Beyond => DynamicStability::Unstable,
+            Level::One => Stability::Stable,
+            Level::Two => Stability::Neutral,
+            Level::Three | Level::Beyond => Stability::Unstable,
         });
         let mark = if details.levels { "▾" } else { "▸" };
         let long = format!("{} · Cat {} {mark}", level.text(), category.letter());
@@ -468,12 +469,12 @@ pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
 fn entries_ui(ui: &mut Ui, mode: &Mode) {
     let seconds = |t: f64| format!("{} s", significant(t, 3));
     let rate = |w: f64| format!("{} rad/s", significant(w, 3));
-    let growth: Entry = if mode.stability == DynamicStability::Unstable {
+    let growth: Entry = if mode.stability == Stability::Unstable {
         ("t_2", mode.time_to_double().map(seconds), "Time to double the amplitude, ln 2/σ")
     } else {
         ("t_½", mode.time_to_half().map(seconds), "Time to half the amplitude, ln 2/|σ|")
     };
-    let cycles = if mode.stability == DynamicStability::Unstable {
+    let cycles = if mode.stability == Stability::Unstable {
         ("N_2", "Oscillations until the amplitude has doubled")
     } else {
         ("N_½", "Oscillations until the amplitude has halved")

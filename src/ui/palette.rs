@@ -7,8 +7,8 @@
 use egui::{Color32, Context, Theme, Ui};
 
 use super::theme::paint_style;
-use crate::flight::modes::DynamicStability;
-use crate::flight::naming::ModeName;
+use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::stability::Stability;
 use crate::shape::{Finish, Material};
 
 /// The colours of one theme.
@@ -436,11 +436,11 @@ impl Palette {
     }
 
     /// Text and ground of a verdict.
-    pub const fn verdict(&self, stability: DynamicStability) -> (Color32, Color32) {
+    pub const fn verdict(&self, stability: Stability) -> (Color32, Color32) {
         match stability {
-            DynamicStability::Stable => (self.good, self.good_ground),
-            DynamicStability::Neutral => (self.warning, self.warning_ground),
-            DynamicStability::Unstable => (self.bad, self.bad_ground),
+            Stability::Stable => (self.good, self.good_ground),
+            Stability::Neutral => (self.warning, self.warning_ground),
+            Stability::Unstable => (self.bad, self.bad_ground),
         }
     }
 }

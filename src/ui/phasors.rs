@@ -6,8 +6,8 @@ use nalgebra::Complex;
 
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
-use crate::flight::modes::Mode;
-use crate::flight::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::modes::mode::Mode;
 use crate::number::fixed;
 
 /// Room for the arrows and their symbols.

@@ -9,7 +9,7 @@ use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, Ui, Vec2};
 use super::app::{Action, Ghost};
 use super::theme::{self, Look, Palette};
 use crate::content::{Aircraft, Status};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Scenario;
 
 /// What the bar has to know beside the scenario.

@@ -2,7 +2,7 @@
 
 #![allow(dead_code, clippy::allow_attributes, reason = "each test file uses a part of it")]
 
-use eigenwing::flight::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use nalgebra::{Complex, Matrix4, Matrix4x2};
 use serde::Deserialize;
 

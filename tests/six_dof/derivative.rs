@@ -1,16 +1,16 @@
 //! The same trim and the same derivative: linearised by automatic differentiation, the flight is the linear model.
 
-use eigenwing::flight::aerodynamics::Aerodynamics;
-use eigenwing::flight::coefficients::{LATERAL_COEFFICIENTS, LONGITUDINAL_COEFFICIENTS};
-use eigenwing::flight::condition::FlightCondition;
-use eigenwing::flight::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES};
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::gusts::penetration_column;
-use eigenwing::flight::knobs::Knobs;
-use eigenwing::flight::plane::Plane;
-use eigenwing::flight::rigid_body::Inertia;
-use eigenwing::flight::six_dof::{SixDof, TRIM_RESIDUAL};
-use eigenwing::flight::study::{CoefficientStudy, Study};
+use eigenwing::flight::aircraft::coefficients::{LATERAL_COEFFICIENTS, LONGITUDINAL_COEFFICIENTS};
+use eigenwing::flight::aircraft::condition::FlightCondition;
+use eigenwing::flight::aircraft::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES};
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::inertia::Inertia;
+use eigenwing::flight::aircraft::knobs::Knobs;
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::aircraft::study::{CoefficientStudy, Study};
+use eigenwing::flight::motion::aerodynamics::Aerodynamics;
+use eigenwing::flight::motion::gusts::penetration_column;
+use eigenwing::flight::motion::six_dof::{SixDof, TRIM_RESIDUAL};
 use nalgebra::{Matrix4, SMatrix, Vector4};
 
 use super::{edited, gust_column, ready, studies};

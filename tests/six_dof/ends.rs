@@ -1,14 +1,14 @@
 //! How far a flight goes: through the vertical, to where its model ends, and whatever is done to it.
 
-use eigenwing::flight::aerodynamics::Controls;
-use eigenwing::flight::condition::FlightCondition;
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::flight_path::{Excitation, FlightPath, Reason, Stop};
-use eigenwing::flight::knobs::Knobs;
-use eigenwing::flight::response::TimeGrid;
-use eigenwing::flight::rigid_body::Attitude;
-use eigenwing::flight::six_dof::{SixDof, SixDofError, Wind};
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::condition::FlightCondition;
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::knobs::Knobs;
+use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::motion::aerodynamics::Controls;
+use eigenwing::flight::motion::flight_path::{Excitation, FlightPath, Reason, Stop};
+use eigenwing::flight::motion::response::TimeGrid;
+use eigenwing::flight::motion::rigid_body::Attitude;
+use eigenwing::flight::motion::six_dof::{SixDof, SixDofError, Wind};
 use nalgebra::Vector4;
 use proptest::prelude::*;
 

@@ -7,14 +7,14 @@ mod small;
 use std::sync::LazyLock;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::aerodynamics::Controls;
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::flight_path::{Excitation, FlightPath};
-use eigenwing::flight::gusts::air_across;
-use eigenwing::flight::plane::{Plane, PlaneModel};
-use eigenwing::flight::response::TimeGrid;
-use eigenwing::flight::six_dof::{SixDof, Wind};
-use eigenwing::flight::study::Study;
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::motion::aerodynamics::Controls;
+use eigenwing::flight::motion::flight_path::{Excitation, FlightPath};
+use eigenwing::flight::motion::gusts::air_across;
+use eigenwing::flight::motion::response::TimeGrid;
+use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 use nalgebra::Vector4;
 
 fn studies() -> Vec<(String, Study)> {

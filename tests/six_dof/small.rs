@@ -1,11 +1,11 @@
 //! The same responses as disturbances get small.
 
-use eigenwing::flight::edits::Edited;
-use eigenwing::flight::flight_path::Sample;
-use eigenwing::flight::inputs::Input;
-use eigenwing::flight::plane::{Plane, PlaneModel};
-use eigenwing::flight::response::{Forced, TimeGrid, respond};
-use eigenwing::flight::six_dof::SixDof;
+use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::flight::motion::flight_path::Sample;
+use eigenwing::flight::motion::inputs::Input;
+use eigenwing::flight::motion::response::{Forced, TimeGrid, respond};
+use eigenwing::flight::motion::six_dof::SixDof;
 use nalgebra::Vector4;
 
 use super::{Entry, GRID, edited, from_rest, gust_column, off, ready, studies};

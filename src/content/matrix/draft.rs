@@ -6,9 +6,9 @@ use nalgebra::{Matrix4, Matrix4x2};
 use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
 use crate::content::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
 use crate::content::units::UnitSystem;
+use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
-use crate::flight::plane::{Plane, PlaneModel, Trim};
-use crate::flight::study::{MatrixStudy, Study};
 
 /// A line, counted from 1, and what is wrong there.
 pub(super) type Problem = (usize, String);

@@ -1,7 +1,7 @@
 //! The names that people give to states and inputs.
 
-use crate::flight::plane::Plane;
-use crate::flight::states::{Lateral, Longitudinal};
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::states::{Lateral, Longitudinal};
 
 /// What a state is measured in, and so how it becomes SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

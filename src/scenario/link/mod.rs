@@ -24,7 +24,7 @@ pub use words::Tab;
 
 use super::{Page, Parameter, Scenario, Shape, parameters};
 use crate::content::{Aircraft, LengthUnit};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use pieces::Pieces;
 
 /// The version that is written. It rises when a link of this kind can't be understood any more by what came before.

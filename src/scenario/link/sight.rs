@@ -5,8 +5,8 @@
 use super::notice::{Notice, quoted};
 use super::pieces::Pieces;
 use super::words;
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
 
 /// A pane that can stand alone beside the sliders.

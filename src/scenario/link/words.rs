@@ -2,7 +2,7 @@
 
 use super::super::{Page, Shape, Source};
 use super::sight::{Pane, Viewpoint};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 
 /// Before the key of a derivative or matrix entry: the number is added to the value that follows from the rest.
 pub(super) const ADDED: &str = "add.";

@@ -1,7 +1,7 @@
 //! The nondimensional coefficients: what a book prints of an aircraft.
 
 use super::{Extent, Group, Page, Parameter, Place};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Dimension;
 
 pub(super) const ROWS: [Parameter; 30] = [

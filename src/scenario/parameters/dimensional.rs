@@ -1,7 +1,7 @@
 //! The dimensional derivatives: forces over mass, moments over inertia. The lateral ones are unprimed.
 
 use super::{Extent, Group, Page, Parameter, Place};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Dimension;
 
 pub(super) const ROWS: [Parameter; 32] = [

@@ -1,7 +1,7 @@
 //! The knobs: flight condition, mass, inertia, centre of gravity, tail, fin and dihedral.
 
 use super::{Extent, Group, Page, Parameter, Place};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Dimension;
 
 pub(super) const ROWS: [Parameter; 11] = [

@@ -1,7 +1,7 @@
 //! The entries of A and B: states \[u, w, q, θ\] and \[v, p, r, φ\]; elevator and throttle, aileron and rudder.
 
 use super::{Extent, Group, Page, Parameter, Place};
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Dimension;
 
 pub(super) const ROWS: [Parameter; 33] = [

@@ -14,12 +14,12 @@ use std::ops::RangeInclusive;
 use thiserror::Error;
 
 use super::{Dimension, Scenario, Sizes};
-use crate::flight::coefficients::{Coefficients, LateralCoefficients, LongitudinalCoefficients};
-use crate::flight::condition::FlightCondition;
-use crate::flight::derivatives::{LateralDerivatives, LongitudinalDerivatives};
-use crate::flight::knobs::Knobs;
-use crate::flight::plane::Plane;
-use crate::flight::study::Study;
+use crate::flight::aircraft::coefficients::{Coefficients, LateralCoefficients, LongitudinalCoefficients};
+use crate::flight::aircraft::condition::FlightCondition;
+use crate::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
+use crate::flight::aircraft::knobs::Knobs;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::study::Study;
 use crate::number::trimmed;
 
 /// A page of sliders.

@@ -3,11 +3,11 @@
 use nalgebra::Matrix4;
 
 use super::{Parameter, Place};
-use crate::flight::edits::Edited;
-use crate::flight::plane::Plane;
-use crate::flight::real::{Dual64, with_parameter};
-use crate::flight::sensitivity::entry_rate;
-use crate::flight::study::{CoefficientStudy, DerivativeStudy, Study};
+use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::real::{Dual64, with_parameter};
+use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Study};
+use crate::flight::modes::sensitivity::entry_rate;
 
 impl Parameter {
     /// ∂A/∂p of a plane; zero of a parameter that doesn't enter it.

@@ -13,9 +13,9 @@ pub use scene::Ghost;
 use scene::{Scene, name};
 
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::naming::ModeName;
-use crate::flight::plane::Plane;
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::link::{self, Details, LinkView, Pane, Sight};
 use crate::scenario::{Choice, Disturbance, Page, Scenario, Source, seen_in};

@@ -3,8 +3,8 @@
 use egui::{Align, Layout, RichText, Ui};
 
 use super::{Action, App, Ghost, PhonePane, View};
-use crate::flight::modes::Mode;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::modes::mode::Mode;
 use crate::scenario::{Flown, Page, Parameter, Scenario, Source, parameters};
 use crate::ui::derivatives::{Chosen, Outlook, Rows, derivatives_ui, is_listed};
 use crate::ui::memo::{Followed, Memo};

@@ -6,8 +6,8 @@ use nalgebra::Complex;
 use super::chart::Chart;
 use super::grid;
 use super::labels::Placement;
-use crate::flight::handling_qualities::Level;
-use crate::flight::level_boundaries::{Boundary, Line};
+use crate::flight::verdicts::handling_qualities::Level;
+use crate::flight::verdicts::level_boundaries::{Boundary, Line};
 use crate::number::trimmed;
 use crate::ui::theme::Palette;
 

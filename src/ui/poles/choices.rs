@@ -8,8 +8,8 @@ use egui::{
 };
 
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::modes::Mode;
-use crate::flight::naming::ModeName;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::link::Marks;
 use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, by_strength};
 use crate::ui::derivatives::Rows;

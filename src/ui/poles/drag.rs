@@ -4,8 +4,8 @@ use egui::Vec2;
 use nalgebra::Complex;
 
 use super::chart::Chart;
-use crate::flight::modes::Mode;
-use crate::flight::naming::ModeName;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::Scenario;
 
 /// What a person's hand does with a pole in this frame.

@@ -10,9 +10,10 @@ use super::drag::{Held, Outcome};
 use super::labels::{Kept, Place, Placement, Wanted};
 use super::trail::Trail;
 use super::{NARROW, NARROWEST, Seen, boundaries, grid, marks};
-use crate::flight::level_boundaries::Boundary;
-use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::naming::ModeName;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::stability::Stability;
+use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{fixed, round_up, significant};
 use crate::ui::theme::{self, Palette};
 
@@ -328,9 +329,9 @@ fn texts(painter: &Painter, palette: &Palette, mode: &Mode) -> Vec<Lines> {
 fn half(chart: &Chart, mode: &Mode) -> Rect {
     let boundary = chart.position(Complex::from(0.0)).x;
     match mode.stability {
-        DynamicStability::Stable => Rect::everything_left_of(boundary),
-        DynamicStability::Unstable => Rect::everything_right_of(boundary),
-        DynamicStability::Neutral => Rect::EVERYTHING,
+        Stability::Stable => Rect::everything_left_of(boundary),
+        Stability::Unstable => Rect::everything_right_of(boundary),
+        Stability::Neutral => Rect::EVERYTHING,
     }
 }
 
@@ -344,7 +345,7 @@ fn numbers(mode: &Mode) -> String {
             _ => "neutral".to_owned(),
         },
     };
-    if mode.is_oscillatory() && mode.stability == DynamicStability::Unstable {
+    if mode.is_oscillatory() && mode.stability == Stability::Unstable {
         format!("{numbers} · unstable")
     } else {
         numbers
@@ -359,7 +360,7 @@ mod tests {
 
     use super::*;
     use crate::content::embedded_aircraft;
-    use crate::flight::plane::Plane;
+    use crate::flight::aircraft::plane::Plane;
     use crate::scenario::{Parameter, Scenario};
     use crate::ui::poles::range::MapRange;
     use crate::ui::poles::{NAMES, slow_modes};

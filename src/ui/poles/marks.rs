@@ -6,10 +6,10 @@ use nalgebra::Complex;
 use super::boundaries::spaced;
 use super::chart::Chart;
 use super::labels::Placement;
-use crate::flight::approximations::Approximation;
-use crate::flight::locus::Locus;
-use crate::flight::modes::Mode;
-use crate::flight::naming::ModeName;
+use crate::flight::modes::approximations::Approximation;
+use crate::flight::modes::locus::Locus;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::ui::theme::Palette;
 
 /// Half the size of the cross of a pole.

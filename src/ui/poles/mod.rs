@@ -49,9 +49,9 @@ use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use super::{arrow_keys, finger};
 use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::level_boundaries::{Boundary, level_boundaries};
-use crate::flight::locus::Locus;
-use crate::flight::modes::Mode;
+use crate::flight::modes::locus::Locus;
+use crate::flight::modes::mode::Mode;
+use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
 use crate::number::{round_up, significant};
 use crate::scenario::{Page, Parameter, Scenario};
 
@@ -214,7 +214,7 @@ impl PoleMap {
             .scenario
             .task()
             .filter(|_| self.choices.marks.levels)
-            .map_or_else(Vec::new, |task| level_boundaries(seen.plane, task));
+            .map_or_else(Vec::new, |task| level_boundaries(&seen.plane.model, &seen.plane.modes, task));
         let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, &boundaries);
         let focused = poles.iter().position(Response::has_focus).and_then(|k| {
             let order = maps.iter().zip(&charts).flat_map(|(map, chart)| on_map(map, chart));

@@ -5,10 +5,10 @@ use nalgebra::Complex;
 
 use super::chart::Chart;
 use super::{Seen, boundaries, eigenvalue, marks};
-use crate::flight::approximations::Approximation;
-use crate::flight::level_boundaries::Boundary;
-use crate::flight::modes::Mode;
-use crate::flight::naming::ModeName;
+use crate::flight::modes::approximations::Approximation;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
+use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::significant;
 use crate::scenario::Parameter;
 use crate::ui::mode_cards::{approximation_values, numbers_ui};

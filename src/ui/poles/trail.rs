@@ -5,8 +5,8 @@ use nalgebra::Complex;
 
 use super::chart::Chart;
 use super::marks;
-use crate::flight::modes::Mode;
-use crate::flight::naming::ModeName;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::ui::theme::Palette;
 
 /// Samples kept; of a longer way every second one is dropped.
@@ -102,8 +102,8 @@ mod tests {
     use nalgebra::Matrix4;
 
     use super::*;
-    use crate::flight::modes::modes_of;
-    use crate::flight::plane::Plane;
+    use crate::flight::aircraft::plane::Plane;
+    use crate::flight::modes::mode::modes_of;
 
     /// A light aircraft with another pitch stiffness, g in the unit of the other entries.
     fn modes(m_w: f64) -> Vec<Mode> {

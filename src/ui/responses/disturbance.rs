@@ -2,7 +2,7 @@
 
 use egui::{Button, ComboBox, RichText, Ui};
 
-use crate::flight::modes::Mode;
+use crate::flight::modes::mode::Mode;
 use crate::scenario::{Choice, Parameter, Scenario, Source};
 use crate::ui::derivatives;
 use crate::ui::theme;

@@ -3,13 +3,13 @@
 use egui::{Grid, RichText, ScrollArea, Ui};
 
 use super::studied::{Studied, units};
-use crate::flight::figures::{
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::inputs::Input;
+use crate::flight::motion::outputs::Output;
+use crate::flight::motion::response_metrics::{
     StepFigures, control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_figures,
     time_to_bank,
 };
-use crate::flight::inputs::Input;
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
 use crate::number::significant;
 use crate::scenario::{START, Source};
 use crate::ui::symbol::Symbol;

@@ -9,10 +9,13 @@ use super::studied::{Studied, input_words, units};
 use super::time::grid;
 use super::{Basis, Seen, index, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
-use crate::flight::frequency_response::{FrequencyPoint, Peak, frequency_range, frequency_response, peaks};
-use crate::flight::modes::{DynamicStability, Mode};
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::stability::Stability;
+use crate::flight::motion::frequency_response::{
+    FrequencyPoint, Peak, frequency_range, frequency_response, peaks,
+};
+use crate::flight::motion::outputs::Output;
 use crate::number::significant;
 use crate::scenario::link::Sight;
 use crate::ui::theme::{self, Palette};
@@ -146,7 +149,7 @@ impl Sheet {
 
 /// Why no steady oscillation answers a sine, where a mode grows.
 fn unsteady(modes: &[Mode]) -> Option<String> {
-    let growing = modes.iter().find(|mode| mode.stability == DynamicStability::Unstable)?;
+    let growing = modes.iter().find(|mode| mode.stability == Stability::Unstable)?;
     Some(format!(
         "{} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
         growing.naming.name.text()

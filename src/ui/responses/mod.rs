@@ -15,9 +15,9 @@ use egui::{Rect, RichText, Ui};
 
 use super::derivatives::Rows;
 use super::theme::{self, Palette};
-use crate::flight::modes::Mode;
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::modes::mode::Mode;
+use crate::flight::motion::outputs::Output;
 use crate::number::significant;
 use crate::scenario::link::{Sight, Tab};
 use crate::scenario::{Quantity, Scenario};

@@ -8,8 +8,8 @@ use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::time::grid;
 use super::{Basis, Seen, index, kept, output_ui};
-use crate::flight::outputs::Output;
-use crate::flight::plane::Plane;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::outputs::Output;
 use crate::scenario::link::Sight;
 
 /// Two portraits of each plane.

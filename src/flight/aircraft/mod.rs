@@ -1,0 +1,22 @@
+//! An aircraft in steady flight: from the numbers of a source to the linear models of both planes.
+//!
+//! ```text
+//! coefficients, knobs ──► condition (trim) ──► derivatives ──► plane: ẋ = A x + B δ
+//!        study: the three ways in which a source gives an aircraft, and the chain between them
+//!        edits: what a person adds to derivatives and matrices beyond them
+//! ```
+//!
+//! Every function of the chain takes any [`real::Real`]: with `f64` it gives A, with dual numbers ∂A/∂p exactly.
+
+pub mod atmosphere;
+pub mod axes;
+pub mod coefficients;
+pub mod condition;
+pub mod derivatives;
+pub mod edits;
+pub mod inertia;
+pub mod knobs;
+pub mod plane;
+pub mod real;
+pub mod states;
+pub mod study;

@@ -1,0 +1,278 @@
+//! An aircraft as a person may edit it, from whatever its source has, and the linear models that follow.
+
+use thiserror::Error;
+
+use super::coefficients::{Airframe, Coefficients};
+use super::condition::{
+    ConditionError, FlightCondition, Reference, SteadyFlight, Validity, at_lift, steady_flight,
+};
+use super::derivatives::{LateralDerivatives, LongitudinalDerivatives, lateral_model, longitudinal_model};
+use super::knobs::{KnobError, Knobs};
+use super::plane::{Plane, PlaneModel, Trim};
+use super::real::{Dual64, Real, at_rest};
+use crate::flight::aircraft::inertia::Inertia;
+
+/// Everything editable of an aircraft, starting where its source starts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Study {
+    /// From coefficients: every slider and every knob.
+    Coefficients(CoefficientStudy),
+    /// From dimensional derivatives at one trim: every derivative.
+    Derivatives(DerivativeStudy),
+    /// From bare matrices: every entry.
+    Matrices(MatrixStudy),
+}
+
+/// An aircraft given by coefficients.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoefficientStudy<T = f64> {
+    /// Mass and geometry of the reference.
+    pub airframe: Airframe<T>,
+    /// The source's steady flight.
+    pub reference: Reference,
+    /// How far from it the coefficients hold.
+    pub validity: Validity,
+    /// Steady flight now.
+    pub condition: FlightCondition<T>,
+    /// Knobs now.
+    pub knobs: Knobs<T>,
+    /// Coefficients of the reference, as edited.
+    pub coefficients: Coefficients<T>,
+}
+
+/// An aircraft given by dimensional derivatives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DerivativeStudy<T = f64> {
+    /// The steady flight; α₀ is not zero in body axes.
+    pub trim: Trim<T>,
+    /// Moments of inertia in the axes of the derivatives, where the source has them. The linear models need only the ratios
+    /// in [`LateralDerivatives`]; the gyroscopic moments of nonlinear flight need all four.
+    pub inertia: Option<Inertia<T>>,
+    /// Longitudinal derivatives.
+    pub longitudinal: Option<LongitudinalDerivatives<T>>,
+    /// Lateral derivatives, unprimed.
+    pub lateral: Option<LateralDerivatives<T>>,
+}
+
+/// An aircraft given by its matrices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MatrixStudy {
+    /// Longitudinal model.
+    pub longitudinal: Option<PlaneModel>,
+    /// Lateral model.
+    pub lateral: Option<PlaneModel>,
+}
+
+/// The linear models of both planes. A plane without data, or with a problem, leaves the other alone.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Models<T = f64> {
+    /// Longitudinal.
+    pub longitudinal: Option<PlaneModel<T>>,
+    /// Lateral–directional.
+    pub lateral: Option<PlaneModel<T>>,
+    /// Why a plane that has data has no model.
+    pub problems: Vec<StudyError>,
+}
+
+/// Why there is no model.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum StudyError {
+    /// There is no such steady flight.
+    #[error(transparent)]
+    Condition(#[from] ConditionError),
+    /// A knob cannot stand so.
+    #[error(transparent)]
+    Knob(#[from] KnobError),
+    /// Ixz too large for Ix and Iz.
+    #[error("Ixz² is {ratio:.3} times Ix Iz; no body has as much as 1: lower Ixz, or raise Ix or Iz")]
+    Inertia {
+        /// Ixz²/(Ix Iz).
+        ratio: f64,
+    },
+    /// 1 − Zẇ = 0.
+    #[error("1 − Zẇ is {denominator:.2e}: the air carried along cancels the aircraft's mass")]
+    Heave {
+        /// 1 − Zẇ.
+        denominator: f64,
+    },
+    /// Overflow or NaN.
+    #[error(
+        "the {} model has an entry that is not a finite number: a value is too large or too small",
+        plane_name(*.plane)
+    )]
+    NotFinite {
+        /// Which plane.
+        plane: Plane,
+    },
+}
+
+impl StudyError {
+    /// The plane that it concerns; `None` where there is no such steady flight, so neither plane.
+    pub const fn plane(&self) -> Option<Plane> {
+        match self {
+            Self::Condition(_) | Self::Knob(_) => None,
+            Self::Inertia { .. } => Some(Plane::Lateral),
+            Self::Heave { .. } => Some(Plane::Longitudinal),
+            Self::NotFinite { plane } => Some(*plane),
+        }
+    }
+}
+
+const fn plane_name(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Longitudinal => "longitudinal",
+        Plane::Lateral => "lateral",
+    }
+}
+
+/// What lies between coefficients and matrices, for showing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derived<T = f64> {
+    /// The steady flight.
+    pub flight: SteadyFlight<T>,
+    /// Airframe with the knobs applied.
+    pub airframe: Airframe<T>,
+    /// Coefficients with knobs and condition applied.
+    pub coefficients: Coefficients<T>,
+    /// Dimensional derivatives and trim, stability axes.
+    pub derivatives: DerivativeStudy<T>,
+}
+
+impl CoefficientStudy {
+    /// An aircraft in its reference condition.
+    pub fn new(
+        airframe: Airframe,
+        reference: Reference,
+        validity: Validity,
+        coefficients: Coefficients,
+    ) -> Self {
+        let condition = reference.condition;
+        Self { airframe, reference, validity, condition, knobs: Knobs::default(), coefficients }
+    }
+
+    /// The same with numbers that are constant, to put a parameter among them.
+    pub fn at_rest(&self) -> CoefficientStudy<Dual64> {
+        CoefficientStudy {
+            airframe: self.airframe.at_rest(),
+            reference: self.reference,
+            validity: self.validity,
+            condition: at_rest(&self.condition),
+            knobs: at_rest(&self.knobs),
+            coefficients: Coefficients {
+                longitudinal: at_rest(&self.coefficients.longitudinal),
+                lateral: self.coefficients.lateral.as_ref().map(at_rest),
+            },
+        }
+    }
+}
+
+impl<T: Real> CoefficientStudy<T> {
+    /// Knobs, then condition, then dimensional derivatives.
+    pub fn derive(&self) -> Result<Derived<T>, StudyError> {
+        let (airframe, coefficients) = self.knobs.apply(&self.airframe, &self.coefficients)?;
+        let flight =
+            steady_flight(&self.condition, &self.reference, &self.validity, &airframe, &coefficients)?;
+        let coefficients = at_lift(&coefficients, &flight, &self.reference);
+        let inertia = airframe.stability_inertia(self.reference.alpha0, flight.alpha_change);
+        let longitudinal =
+            LongitudinalDerivatives::from_coefficients(&coefficients.longitudinal, &airframe, &flight);
+        let lateral = coefficients
+            .lateral
+            .map(|c| LateralDerivatives::from_coefficients(&c, &airframe, &inertia, &flight));
+        let FlightCondition { speed, gamma0, .. } = self.condition;
+        let trim = Trim { speed, alpha0: 0.0, gamma0, gravity: self.reference.gravity };
+        let inertia = Some(Inertia { ix: inertia.ix, iy: airframe.iy, iz: inertia.iz, ixz: inertia.ixz });
+        let derivatives = DerivativeStudy { trim, inertia, longitudinal: Some(longitudinal), lateral };
+        Ok(Derived { flight, airframe, coefficients, derivatives })
+    }
+}
+
+impl DerivativeStudy {
+    /// The same with numbers that are constant, to put a parameter among them.
+    pub fn at_rest(&self) -> DerivativeStudy<Dual64> {
+        let Trim { speed, alpha0, gamma0, gravity } = self.trim;
+        DerivativeStudy {
+            trim: Trim { speed: speed.into(), alpha0, gamma0: gamma0.into(), gravity },
+            inertia: self.inertia.as_ref().map(at_rest),
+            longitudinal: self.longitudinal.as_ref().map(at_rest),
+            lateral: self.lateral.as_ref().map(at_rest),
+        }
+    }
+}
+
+impl<T: Real> DerivativeStudy<T> {
+    /// The models; a problem of one plane leaves the other.
+    pub fn models(&self) -> Models<T> {
+        let mut models = Models { longitudinal: None, lateral: None, problems: Vec::new() };
+        if let Some(d) = &self.longitudinal {
+            let denominator = 1.0 - d.z_wdot.re();
+            let made = if denominator.abs() < 1e-9 {
+                Err(StudyError::Heave { denominator })
+            } else {
+                finite(longitudinal_model(d, &self.trim))
+            };
+            models.longitudinal = models.kept(made);
+        }
+        if let Some(d) = &self.lateral {
+            let ratio = (d.ixz_over_ix * d.ixz_over_iz).re();
+            let made = if ratio < 1.0 {
+                finite(lateral_model(d, &self.trim))
+            } else {
+                Err(StudyError::Inertia { ratio })
+            };
+            models.lateral = models.kept(made);
+        }
+        models
+    }
+}
+
+impl<T: Real> Models<T> {
+    /// The model of a plane.
+    pub fn of(&self, plane: Plane) -> Option<&PlaneModel<T>> {
+        match plane {
+            Plane::Longitudinal => self.longitudinal.as_ref(),
+            Plane::Lateral => self.lateral.as_ref(),
+        }
+    }
+
+    fn kept(&mut self, made: Result<PlaneModel<T>, StudyError>) -> Option<PlaneModel<T>> {
+        match made {
+            Ok(model) => Some(model),
+            Err(problem) => {
+                self.problems.push(problem);
+                None
+            }
+        }
+    }
+}
+
+fn finite<T: Real>(model: PlaneModel<T>) -> Result<PlaneModel<T>, StudyError> {
+    let good = model.a.iter().chain(&model.b).all(|x| x.re().is_finite());
+    if good { Ok(model) } else { Err(StudyError::NotFinite { plane: model.plane }) }
+}
+
+impl Study {
+    /// The linear models. An error means that there is no such steady flight, so neither plane has a model.
+    pub fn models(&self) -> Result<Models, StudyError> {
+        match self {
+            Self::Coefficients(study) => Ok(study.derive()?.derivatives.models()),
+            Self::Derivatives(study) => Ok(study.models()),
+            Self::Matrices(study) => {
+                let mut models = Models::default();
+                models.longitudinal = study.longitudinal.clone().and_then(|m| models.kept(finite(m)));
+                models.lateral = study.lateral.clone().and_then(|m| models.kept(finite(m)));
+                Ok(models)
+            }
+        }
+    }
+
+    /// The same aircraft with its dimensional derivatives free: from coefficients they are derived once and the knobs
+    /// are left behind. Bare matrices have no derivatives.
+    pub fn to_derivatives(&self) -> Result<Option<DerivativeStudy>, StudyError> {
+        match self {
+            Self::Coefficients(study) => Ok(Some(study.derive()?.derivatives)),
+            Self::Derivatives(study) => Ok(Some(study.clone())),
+            Self::Matrices(_) => Ok(None),
+        }
+    }
+}

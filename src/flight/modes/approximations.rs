@@ -1,0 +1,346 @@
+//! The textbooks' literal approximations beside the exact modes, with the error of each.
+//!
+//! All are written in stability axes with the entries of A, so "V" is the speed that stands in the w or v row (V + Zq), and
+//! ẇ terms are folded in. Sources: McRuer, Ashkenas & Graham, *Aircraft Dynamics and Automatic Control*, 1973, §§5–6;
+//! Nelson, *Flight Stability and Automatic Control*, 2nd ed., §§4–5; Lanchester, *Aerodonetics*, 1908.
+
+use nalgebra::{Complex, Matrix4};
+
+use super::mode::Mode;
+use super::mode_name::ModeName;
+use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
+use crate::flight::aircraft::axes::to_stability_axes;
+use crate::flight::aircraft::plane::{Plane, PlaneModel};
+
+/// Which approximation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ApproximationName {
+    /// Short period from w and q at constant speed.
+    ShortPeriodTwoStates,
+    /// Short period from q alone.
+    ShortPeriodPitchOnly,
+    /// Phugoid as Lanchester had it.
+    PhugoidLanchester,
+    /// Phugoid from u and θ at constant angle of attack.
+    PhugoidTwoStates,
+    /// Phugoid with w and q following at once.
+    PhugoidResidualised,
+    /// Phugoid from the end of the characteristic polynomial.
+    PhugoidQuartic,
+    /// Dutch roll from v and r.
+    DutchRollTwoStates,
+    /// Dutch roll from r alone.
+    DutchRollYawOnly,
+    /// Roll subsidence from p alone.
+    RollDamping,
+    /// Spiral from the last two coefficients of the characteristic polynomial.
+    SpiralPolynomial,
+    /// Spiral with gravity kept.
+    SpiralWithGravity,
+    /// Spiral as the quick form has it.
+    SpiralQuick,
+}
+
+impl ApproximationName {
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::ShortPeriodTwoStates => "w and q alone",
+            Self::ShortPeriodPitchOnly => "pitch only",
+            Self::PhugoidLanchester => "Lanchester",
+            Self::PhugoidTwoStates => "u and θ alone",
+            Self::PhugoidResidualised => "w and q at rest",
+            Self::PhugoidQuartic => "from the quartic",
+            Self::DutchRollTwoStates => "v and r alone",
+            Self::DutchRollYawOnly => "yaw only",
+            Self::RollDamping => "roll damping",
+            Self::SpiralPolynomial => "from the quartic",
+            Self::SpiralWithGravity => "with gravity",
+            Self::SpiralQuick => "quick form",
+        }
+    }
+
+    /// Whether it is the first that a course would name of its mode: one for each.
+    pub const fn is_principal(self) -> bool {
+        matches!(
+            self,
+            Self::ShortPeriodTwoStates
+                | Self::PhugoidTwoStates
+                | Self::DutchRollTwoStates
+                | Self::RollDamping
+                | Self::SpiralWithGravity
+        )
+    }
+
+    /// The mode that it approximates.
+    pub const fn concerns(self) -> ModeName {
+        match self {
+            Self::ShortPeriodTwoStates | Self::ShortPeriodPitchOnly => ModeName::ShortPeriod,
+            Self::PhugoidLanchester
+            | Self::PhugoidTwoStates
+            | Self::PhugoidResidualised
+            | Self::PhugoidQuartic => ModeName::Phugoid,
+            Self::DutchRollTwoStates | Self::DutchRollYawOnly => ModeName::DutchRoll,
+            Self::RollDamping => ModeName::RollSubsidence,
+            Self::SpiralPolynomial | Self::SpiralWithGravity | Self::SpiralQuick => ModeName::Spiral,
+        }
+    }
+}
+
+/// What an approximation, or the exact mode beside it, says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ModeValue {
+    /// An oscillation, or two roots taken together.
+    SecondOrder {
+        /// Natural frequency ωₙ \[rad/s\].
+        natural_frequency: f64,
+        /// Damping ratio ζ, where the approximation gives one.
+        damping_ratio: Option<f64>,
+    },
+    /// A real root λ \[1/s\].
+    Root(f64),
+}
+
+/// One approximation beside the exact mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Approximation {
+    /// Which.
+    pub name: ApproximationName,
+    /// Its formula, for reading.
+    pub formula: &'static str,
+    /// What it leaves out, in a sentence.
+    pub neglects: &'static str,
+    /// What it gives; `None` where it gives nothing (a negative ωₙ², a division by zero).
+    pub value: Option<ModeValue>,
+    /// The exact mode of the same kind; `None` where the aircraft has none.
+    pub exact: Option<ModeValue>,
+}
+
+impl Approximation {
+    /// The root that it gives \[1/s\], the upper one of a pair, the slower one of two real ones; `None` where it gives no root,
+    /// or a frequency without damping.
+    pub fn root(&self) -> Option<Complex<f64>> {
+        let root = match self.value? {
+            ModeValue::Root(root) => Complex::from(root),
+            ModeValue::SecondOrder { natural_frequency: wn, damping_ratio: zeta } => {
+                // λ = −ζωₙ ± ωₙ√(ζ² − 1)
+                let zeta = zeta?;
+                let part = wn * (zeta * zeta - 1.0).abs().sqrt();
+                if zeta.abs() < 1.0 {
+                    Complex::new(-zeta * wn, part)
+                } else {
+                    // The product of the two is ωₙ², which loses no digits.
+                    Complex::from(-wn * wn / (zeta * wn + part.copysign(zeta)))
+                }
+            }
+        };
+        (root.re.is_finite() && root.im.is_finite()).then_some(root)
+    }
+
+    /// Relative error of ωₙ or of the root, approximate/exact − 1; `None` where either is missing.
+    pub fn error(&self) -> Option<f64> {
+        match (self.value?, self.exact?) {
+            (
+                ModeValue::SecondOrder { natural_frequency: approximate, .. },
+                ModeValue::SecondOrder { natural_frequency: exact, .. },
+            )
+            | (ModeValue::Root(approximate), ModeValue::Root(exact)) => relative_error(approximate, exact),
+            _ => None,
+        }
+    }
+
+    /// Relative error of ζ, approximate/exact − 1; `None` where either is missing.
+    pub fn damping_error(&self) -> Option<f64> {
+        match (self.value?, self.exact?) {
+            (
+                ModeValue::SecondOrder { damping_ratio: Some(approximate), .. },
+                ModeValue::SecondOrder { damping_ratio: Some(exact), .. },
+            ) => relative_error(approximate, exact),
+            _ => None,
+        }
+    }
+}
+
+fn relative_error(approximate: f64, exact: f64) -> Option<f64> {
+    let error = approximate / exact - 1.0;
+    error.is_finite().then_some(error)
+}
+
+/// Every approximation for the plane of `model`, in a fixed order; `modes` are its exact modes.
+pub fn approximations(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
+    let model = to_stability_axes(model);
+    match model.plane {
+        Plane::Longitudinal => longitudinal(&model.a, modes),
+        Plane::Lateral => lateral(&model.a, modes),
+    }
+}
+
+fn longitudinal(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
+    use ApproximationName as Name;
+    // x = [u, w, q, θ]; v is V + Zq
+    let [x_u, z_u, z_w, v] = [a[(0, 0)], a[(1, 0)], a[(1, 1)], a[(1, 2)]];
+    let [m_w, m_q, g] = [a[(2, 1)], a[(2, 2)], -a[(0, 3)]];
+    let short_period = second_order(modes, SHORT_PERIOD).map(full);
+    let phugoid = second_order(modes, PHUGOID).map(full);
+    // ωₙ² = −Zu g/V, 2ζωₙ = −Xu
+    let two_states = SecondOrder::of(-x_u, -z_u * g / v);
+    vec![
+        Approximation {
+            name: Name::ShortPeriodTwoStates,
+            formula: "ωₙ² = Z_w M_q − V M_w,  2ζωₙ = −(Z_w + M_q + V M_ẇ)",
+            neglects: "Changes of speed: u is held at zero.",
+            value: SecondOrder::of(-(z_w + m_q), z_w * m_q - v * m_w).map(full),
+            exact: short_period,
+        },
+        Approximation {
+            name: Name::ShortPeriodPitchOnly,
+            formula: "ωₙ² = −V M_w,  2ζωₙ = −(M_q + V M_ẇ)",
+            neglects: "Changes of speed and all heaving (Z_w): the aircraft turns about a point that flies straight on.",
+            value: SecondOrder::of(-m_q, -v * m_w).map(full),
+            exact: short_period,
+        },
+        Approximation {
+            name: Name::PhugoidLanchester,
+            formula: "ωₙ = √2 g/V",
+            neglects: "Drag, any change of angle of attack, compressibility (M_u, and Z_u beyond −2g/V).",
+            value: frequency_only(std::f64::consts::SQRT_2 * g / v),
+            exact: phugoid,
+        },
+        Approximation {
+            name: Name::PhugoidTwoStates,
+            formula: "ωₙ² = −Z_u g/V,  ζ = −X_u/(2ωₙ)",
+            neglects: "Any change of angle of attack: the moment with speed (M_u) and the lift and drag it brings.",
+            value: two_states.map(full),
+            exact: phugoid,
+        },
+        Approximation {
+            name: Name::PhugoidResidualised,
+            formula: "ωₙ² = det Aᵣ, 2ζωₙ = −tr Aᵣ, Aᵣ = Aₛₛ − Aₛf Aff⁻¹ Afₛ, s = (u, θ), f = (w, q)",
+            neglects: "The time that w and q take: they follow u and θ at once.",
+            value: residualised(a).map(full),
+            exact: phugoid,
+        },
+        Approximation {
+            name: Name::PhugoidQuartic,
+            formula: "ωₙ² = E/C,  2ζωₙ = D/C − B E/C²,  λ⁴ + Bλ³ + Cλ² + Dλ + E",
+            neglects: "Powers of the slow roots beside the fast ones.",
+            value: quartic(a).map(full),
+            exact: phugoid,
+        },
+    ]
+}
+
+fn lateral(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
+    use ApproximationName as Name;
+    // x = [v, p, r, φ]; v is V − Yr, and N'β = V N'v
+    let [y_v, v, g] = [a[(0, 0)], -a[(0, 2)], a[(0, 3)]];
+    let [l_beta, l_p, l_r] = [v * a[(1, 0)], a[(1, 1)], a[(1, 2)]];
+    let [n_beta, n_p, n_r] = [v * a[(2, 0)], a[(2, 1)], a[(2, 2)]];
+    let dutch_roll = second_order(modes, DUTCH_ROLL).map(full);
+    let root = |name: ModeName| {
+        modes.iter().find(|mode| mode.naming.name == name).map(|mode| ModeValue::Root(mode.lambda.re))
+    };
+    let spiral = root(ModeName::Spiral);
+    // L'β N'r − N'β L'r, which is zero for a neutral spiral
+    let neutral = l_beta * n_r - n_beta * l_r;
+    let [_, _, d, e] = polynomial(a);
+    vec![
+        Approximation {
+            name: Name::DutchRollTwoStates,
+            formula: "ωₙ² = N′_β + Y_v N′_r,  2ζωₙ = −(Y_v + N′_r)",
+            neglects: "Rolling: p and φ are held at zero.",
+            value: SecondOrder::of(-(y_v + n_r), n_beta + y_v * n_r).map(full),
+            exact: dutch_roll,
+        },
+        Approximation {
+            name: Name::DutchRollYawOnly,
+            formula: "ωₙ² = N′_β,  2ζωₙ = −N′_r",
+            neglects: "Rolling and sideways motion (Y_v): the aircraft turns about a point that flies straight on.",
+            value: SecondOrder::of(-n_r, n_beta).map(full),
+            exact: dutch_roll,
+        },
+        Approximation {
+            name: Name::RollDamping,
+            formula: "λ = L′_p",
+            neglects: "Sideslip and yaw: the aircraft rolls about its x axis only.",
+            value: finite_root(l_p),
+            exact: root(ModeName::RollSubsidence),
+        },
+        Approximation {
+            name: Name::SpiralPolynomial,
+            formula: "λ = −E/D,  λ⁴ + Bλ³ + Cλ² + Dλ + E",
+            neglects: "Powers of the slow root beside the fast ones.",
+            value: finite_root(-e / d),
+            exact: spiral,
+        },
+        Approximation {
+            name: Name::SpiralWithGravity,
+            formula: "λ = −(g/V)(L′_β N′_r − N′_β L′_r) / (L′_β (N′_p − g/V) − N′_β L′_p)",
+            neglects: "Powers of the slow root, the side force Y_v and the slope of the flight path: level flight only.",
+            value: finite_root(-(g / v) * neutral / (l_beta * (n_p - g / v) - n_beta * l_p)),
+            exact: spiral,
+        },
+        Approximation {
+            name: Name::SpiralQuick,
+            formula: "λ = (L′_β N′_r − N′_β L′_r)/L′_β",
+            neglects: "Roll damping and N′_p, which make the spiral 3 to 40 times slower: in level flight only its sign is right.",
+            value: finite_root(neutral / l_beta),
+            exact: spiral,
+        },
+    ]
+}
+
+fn full(motion: SecondOrder) -> ModeValue {
+    ModeValue::SecondOrder {
+        natural_frequency: motion.natural_frequency,
+        damping_ratio: Some(motion.damping_ratio),
+    }
+}
+
+fn frequency_only(natural_frequency: f64) -> Option<ModeValue> {
+    (natural_frequency.is_finite() && natural_frequency > 0.0)
+        .then_some(ModeValue::SecondOrder { natural_frequency, damping_ratio: None })
+}
+
+fn finite_root(root: f64) -> Option<ModeValue> {
+    root.is_finite().then_some(ModeValue::Root(root))
+}
+
+/// Phugoid with w and q in balance at every moment: Aᵣ = Aₛₛ − Aₛf Aff⁻¹ Afₛ.
+fn residualised(a: &Matrix4<f64>) -> Option<SecondOrder> {
+    // Aff = [Zw, V; Mw, Mq]
+    let [z_w, v, m_w, m_q] = [a[(1, 1)], a[(1, 2)], a[(2, 1)], a[(2, 2)]];
+    let det = z_w * m_q - v * m_w;
+    // w and q for a unit of the slow state in column j: −Aff⁻¹ Afₛ
+    let follow = |j: usize| {
+        let (z, m) = (a[(1, j)], a[(2, j)]);
+        [-(m_q * z - v * m) / det, -(z_w * m - m_w * z) / det]
+    };
+    let reduced = |i: usize, j: usize| {
+        let [w, q] = follow(j);
+        a[(i, j)] + a[(i, 1)] * w + a[(i, 2)] * q
+    };
+    let [uu, u_theta, theta_u, theta_theta] = [reduced(0, 0), reduced(0, 3), reduced(3, 0), reduced(3, 3)];
+    SecondOrder::of(-(uu + theta_theta), uu * theta_theta - u_theta * theta_u)
+}
+
+/// Phugoid from the slow end of the quartic: λ² + (D/C − B E/C²) λ + E/C.
+fn quartic(a: &Matrix4<f64>) -> Option<SecondOrder> {
+    let [b, c, d, e] = polynomial(a);
+    SecondOrder::of(d / c - b * e / (c * c), e / c)
+}
+
+/// B, C, D, E of the characteristic polynomial λ⁴ + Bλ³ + Cλ² + Dλ + E (Faddeev & LeVerrier).
+pub(super) fn polynomial(a: &Matrix4<f64>) -> [f64; 4] {
+    let mut coefficients = [0.0; 4];
+    // M₁ = I, cₖ = −tr(A Mₖ)/k, Mₖ₊₁ = A Mₖ + cₖ I
+    let mut m = Matrix4::identity();
+    for (k, coefficient) in coefficients.iter_mut().enumerate() {
+        let am = a * m;
+        *coefficient = -am.trace() / (k + 1) as f64;
+        m = am + Matrix4::identity() * *coefficient;
+    }
+    // E by elimination: the recursion cancels where the modes are far apart.
+    coefficients[3] = a.determinant();
+    coefficients
+}

@@ -1,0 +1,366 @@
+//! The inverse question: a pole is dragged; which parameters would have to change, and how little, to put it there?
+//!
+//! Two equations, λ(p) = λ*, and as many unknowns as there are parameters. First the pole is brought to the target, or as near
+//! as it goes, by Levenberg–Marquardt steps within the bounds; then the parameters slide along λ(p) = λ* to the least change,
+//! Σ((p − p₀)/s)² (Nocedal & Wright, *Numerical Optimization*, 2nd ed., §§10.3, 16.5, 18). The derivatives of λ are exact in
+//! A. Both searches go downhill from where the aircraft is: a better place beyond a hill is not found.
+
+use nalgebra::{Complex, Matrix4, Vector2, Vector4};
+
+use super::eigen::{Eigen, eigen};
+use super::least_change::{Bounds, damped_step, least_change};
+use crate::number::significant;
+
+/// A target is reached within this fraction of the size of the pole.
+const REACHED: f64 = 1e-11;
+/// Bound on the steps towards the target, in one search.
+const MOST_STEPS: usize = 80;
+/// Bound on the steps along λ(p) = λ* towards the least change.
+const MOST_SLIDES: usize = 30;
+/// Step of the differences that give ∂A/∂p, in scales of the parameter.
+const DIFFERENCE: f64 = 1e-5;
+
+/// A parameter that may be changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adjustable {
+    /// Its value now.
+    pub value: f64,
+    /// The least it may become, no greater than `value`.
+    pub lower: f64,
+    /// The most it may become, no less than `value`.
+    pub upper: f64,
+    /// The change that counts as one, positive: what is as hard to change as one scale of any other.
+    pub scale: f64,
+}
+
+/// In which direction a target is out of reach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OutOfReach {
+    /// The frequency can be had, the damping not.
+    Damping,
+    /// The damping can be had, the frequency not.
+    Frequency,
+    /// Neither.
+    Both,
+    /// A real root can't be brought there along the real axis.
+    RealRoot,
+    /// The target is no real number, and a real root leaves the real axis only where it meets another.
+    OffTheAxis,
+}
+
+/// The answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placement {
+    /// The parameters, within their bounds.
+    pub values: Vec<f64>,
+    /// The pole with these parameters \[1/s\].
+    pub lambda: Complex<f64>,
+    /// Where it was wanted \[1/s\], in the upper half plane.
+    pub wanted: Complex<f64>,
+    /// Size of the change, √Σ((p − p₀)/s)².
+    pub change: f64,
+    /// `None` if the pole is where it was wanted; else what is out of reach, the pole being as near as it goes.
+    pub out_of_reach: Option<OutOfReach>,
+    /// How often the model was evaluated.
+    pub evaluations: usize,
+}
+
+impl Placement {
+    /// What could be done and what not, in a sentence.
+    pub fn sentence(&self) -> String {
+        let describe = |l: Complex<f64>| {
+            if l.im > 0.0 {
+                let (wn, zeta) = (l.norm(), -l.re / l.norm());
+                format!("ωₙ {} rad/s, ζ {}", significant(wn, 3), significant(zeta, 3))
+            } else {
+                format!("λ {} 1/s", significant(l.re, 3))
+            }
+        };
+        let here = describe(self.lambda);
+        match self.out_of_reach {
+            None => format!("The mode is where it was wanted: {here}."),
+            Some(what) => {
+                let what = match what {
+                    OutOfReach::Damping => "that damping is out of reach",
+                    OutOfReach::Frequency => "that frequency is out of reach",
+                    OutOfReach::Both => "neither that frequency nor that damping is within reach",
+                    OutOfReach::RealRoot => "that root is out of reach",
+                    OutOfReach::OffTheAxis => "a real root leaves the real axis only where it meets another",
+                };
+                format!(
+                    "With these parameters and bounds {what}: {} was wanted, the nearest is {here}.",
+                    describe(self.wanted)
+                )
+            }
+        }
+    }
+}
+
+/// Why the question has no answer at all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum InverseError {
+    /// A number of the question is not finite, a bound excludes the present value, or a scale is not positive.
+    #[error(
+        "the bounds, scales and the wanted pole must be finite, with the present values within the bounds"
+    )]
+    Question,
+    /// There is no model at the present values.
+    #[error("the aircraft can't be computed at the present values")]
+    NoModel,
+}
+
+/// A place in the search: y = (p − p₀)/s, the pole there, and how it moves.
+struct Place {
+    y: Vec<f64>,
+    lambda: Complex<f64>,
+    /// dλ/dy, one a parameter, as (real, imaginary).
+    rates: Vec<Vector2<f64>>,
+    /// Distance from the pole to its nearest neighbour.
+    gap: f64,
+}
+
+struct Search<'a, F> {
+    model: F,
+    parameters: &'a [Adjustable],
+    bounds: Bounds,
+    wanted: Complex<f64>,
+    /// Whether the pole is a real root, and stays one.
+    real: bool,
+    tolerance: f64,
+    evaluations: usize,
+}
+
+/// The least change of `parameters` that brings the pole now nearest to `from` to `to`, or as near as it goes.
+///
+/// `model` gives A for values of the parameters, `None` where there is no such aircraft. Conjugates count as one pole: both
+/// `from` and `to` are taken in the upper half plane. The number of evaluations is bounded, some hundreds in practice.
+pub fn place_pole(
+    model: impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    parameters: &[Adjustable],
+    from: Complex<f64>,
+    to: Complex<f64>,
+) -> Result<Placement, InverseError> {
+    let finite = |z: Complex<f64>| z.re.is_finite() && z.im.is_finite() && z.norm() < 1e150;
+    let sound = |p: &Adjustable| {
+        let width = (p.upper - p.lower) / p.scale;
+        p.lower <= p.value && p.value <= p.upper && p.scale > 0.0 && width.is_finite() && p.value.is_finite()
+    };
+    if !(finite(from) && finite(to) && parameters.iter().all(sound)) {
+        return Err(InverseError::Question);
+    }
+    let upper_half = |z: Complex<f64>| Complex::new(z.re, z.im.abs());
+    let (from, to) = (upper_half(from), upper_half(to));
+    let mut search = Search {
+        model,
+        parameters,
+        bounds: Bounds::new(
+            parameters.iter().map(|p| ((p.lower - p.value) / p.scale, (p.upper - p.value) / p.scale)),
+        ),
+        wanted: to,
+        real: false,
+        tolerance: 0.0,
+        evaluations: 0,
+    };
+    // The pole nearest to `from`, whichever kind it is.
+    let start = vec![0.0; parameters.len()];
+    let solved = search.solve(&start).ok_or(InverseError::NoModel)?;
+    let nearest = (0..4)
+        .filter(|&i| solved.values[i].im >= 0.0)
+        .min_by(|&i, &j| (solved.values[i] - from).norm().total_cmp(&(solved.values[j] - from).norm()))
+        .ok_or(InverseError::NoModel)?;
+    let pole = solved.values[nearest];
+    let radius = solved.values[0].norm();
+    search.real = pole.im == 0.0;
+    let off_the_axis = search.real && to.im > 0.0;
+    if search.real {
+        search.wanted = Complex::from(to.re);
+    }
+    search.tolerance = REACHED * to.norm().max(1e-3 * radius).max(f64::MIN_POSITIVE);
+    let start = search.place(start, pole).ok_or(InverseError::NoModel)?;
+    let mut place = search.approach(start);
+    let reached = search.miss(&place) <= search.tolerance;
+    if reached {
+        place = search.slide(place);
+    }
+    let out_of_reach = if off_the_axis {
+        Some(OutOfReach::OffTheAxis)
+    } else if reached {
+        None
+    } else {
+        Some(search.what_is_missing(&place))
+    };
+    Ok(Placement {
+        values: search.values(&place.y),
+        lambda: place.lambda,
+        wanted: to,
+        change: norm(&place.y),
+        out_of_reach,
+        evaluations: search.evaluations,
+    })
+}
+
+impl<F: Fn(&[f64]) -> Option<Matrix4<f64>>> Search<'_, F> {
+    /// p = p₀ + s y, within the bounds to the last bit.
+    fn values(&self, y: &[f64]) -> Vec<f64> {
+        let value = |(p, y): (&Adjustable, &f64)| (p.value + p.scale * y).clamp(p.lower, p.upper);
+        self.parameters.iter().zip(y).map(value).collect()
+    }
+
+    fn matrix(&mut self, y: &[f64]) -> Option<Matrix4<f64>> {
+        self.evaluations += 1;
+        (self.model)(&self.values(y)).filter(|a| a.iter().all(|x| x.is_finite()))
+    }
+
+    fn solve(&mut self, y: &[f64]) -> Option<Eigen> {
+        let a = self.matrix(y)?;
+        eigen(&a).ok()
+    }
+
+    /// The place at `y`, its pole being the one of the same kind nearest to `expected`.
+    fn place(&mut self, y: Vec<f64>, expected: Complex<f64>) -> Option<Place> {
+        let solved = self.solve(&y)?;
+        let distance = |i: usize| (solved.values[i] - expected).norm();
+        let kind = |i: &usize| {
+            let im = solved.values[*i].im;
+            if self.real { im == 0.0 } else { im > 0.0 }
+        };
+        let i = (0..4).filter(kind).min_by(|&i, &j| distance(i).total_cmp(&distance(j)))?;
+        let lambda = solved.values[i];
+        let gap = (0..4)
+            .filter(|&j| j != i)
+            .map(|j| (solved.values[j] - lambda).norm())
+            .fold(f64::INFINITY, f64::min);
+        let v = Vector4::from(solved.right.column(i));
+        let l = Vector4::from(solved.left.column(i));
+        let product = l.dotc(&v);
+        let rates = (0..y.len())
+            .map(|k| {
+                // dλ/dyₖ = lᴴ (∂A/∂yₖ) v / (lᴴ v)
+                let rate = self
+                    .matrix_rate(&y, k)
+                    .map_or(Complex::from(0.0), |da| l.dotc(&(da.map(Complex::from) * v)) / product);
+                let rate = Vector2::new(rate.re, if self.real { 0.0 } else { rate.im });
+                if rate.norm() < 1e150 { rate } else { Vector2::zeros() }
+            })
+            .collect();
+        Some(Place { y, lambda, rates, gap })
+    }
+
+    /// ∂A/∂yₖ by a difference that stays within the bounds; `None` where it can't be had.
+    fn matrix_rate(&mut self, y: &[f64], k: usize) -> Option<Matrix4<f64>> {
+        let (lower, upper) = self.bounds.of(k);
+        let at = |search: &mut Self, yk: f64| {
+            let mut moved = y.to_vec();
+            moved[k] = yk;
+            search.matrix(&moved)
+        };
+        let (low, high) = ((y[k] - DIFFERENCE).max(lower), (y[k] + DIFFERENCE).min(upper));
+        if let (Some(below), Some(above)) = (at(self, low), at(self, high)) {
+            return (high > low).then(|| (above - below) / (high - low));
+        }
+        // At the edge of what is possible: the side that is.
+        let here = at(self, y[k])?;
+        if let Some(above) = at(self, high).filter(|_| high > y[k]) {
+            return Some((above - here) / (high - y[k]));
+        }
+        at(self, low).filter(|_| low < y[k]).map(|below| (here - below) / (y[k] - low))
+    }
+
+    fn miss(&self, place: &Place) -> f64 {
+        (self.wanted - place.lambda).norm()
+    }
+
+    fn residual(&self, place: &Place) -> Vector2<f64> {
+        let r = self.wanted - place.lambda;
+        Vector2::new(r.re, r.im)
+    }
+
+    /// Levenberg–Marquardt within the bounds, until the target is reached or nothing nearer is found.
+    fn approach(&mut self, start: Place) -> Place {
+        let mut place = start;
+        let size: f64 = place.rates.iter().map(Vector2::norm_squared).sum();
+        let (least, most) = (1e-14 * size, 1e8 * size);
+        let mut damping = 1e-6 * size;
+        for _ in 0..MOST_STEPS {
+            let residual = self.residual(&place);
+            if residual.norm() <= self.tolerance {
+                // Nothing to win from another step but rounding.
+                break;
+            }
+            let mut step = damped_step(&place.rates, &residual, damping, &place.y, &self.bounds);
+            // No further than half-way to the next pole, so that the pole is not mistaken for another.
+            let expected = moved(&place.rates, &step);
+            let far = expected.norm() / (0.5 * place.gap).max(self.tolerance);
+            if far > 1.0 {
+                step.iter_mut().for_each(|d| *d /= far);
+            }
+            if expected.norm() <= 0.1 * self.tolerance {
+                break;
+            }
+            let y = self.bounds.clamped(place.y.iter().zip(&step).map(|(y, d)| y + d));
+            let expected = expected / far.max(1.0);
+            let aim = place.lambda + Complex::new(expected.x, expected.y);
+            match self.place(y, aim).filter(|next| self.miss(next) < residual.norm()) {
+                Some(next) => {
+                    place = next;
+                    damping = (damping / 8.0).max(least);
+                }
+                None if damping < most => damping *= 8.0,
+                None => break,
+            }
+        }
+        place
+    }
+
+    /// Slides along λ(p) = λ* towards the least change.
+    fn slide(&mut self, start: Place) -> Place {
+        let mut place = start;
+        let mut fraction = 1.0;
+        for _ in 0..MOST_SLIDES {
+            let goal = least_change(&place.rates, &self.residual(&place), &place.y, &self.bounds);
+            let step: Vec<f64> = goal.iter().zip(&place.y).map(|(goal, y)| fraction * (goal - y)).collect();
+            if norm(&step) <= 1e-10 * norm(&place.y) {
+                break;
+            }
+            let y = self.bounds.clamped(place.y.iter().zip(&step).map(|(y, d)| y + d));
+            let next = self.place(y, place.lambda).map(|next| self.approach(next));
+            let better = |next: &Place| {
+                self.miss(next) <= self.tolerance && norm(&next.y) < norm(&place.y) * (1.0 - 1e-13)
+            };
+            match next.filter(better) {
+                Some(next) => {
+                    place = next;
+                    fraction = (2.0 * fraction).min(1.0);
+                }
+                None if fraction > 0.01 => fraction *= 0.25,
+                None => break,
+            }
+        }
+        place
+    }
+
+    /// Frequency is the distance of the pole from zero, damping its direction: which part of what is left is greater.
+    fn what_is_missing(&self, place: &Place) -> OutOfReach {
+        if self.real {
+            return OutOfReach::RealRoot;
+        }
+        let (left, here) = (self.wanted - place.lambda, place.lambda / place.lambda.norm());
+        let frequency = (left * here.conj()).re.abs() / left.norm();
+        if frequency > 0.9 {
+            OutOfReach::Frequency
+        } else if frequency < 0.436 {
+            // √(1 − 0.9²)
+            OutOfReach::Damping
+        } else {
+            OutOfReach::Both
+        }
+    }
+}
+
+fn moved(rates: &[Vector2<f64>], step: &[f64]) -> Vector2<f64> {
+    rates.iter().zip(step).map(|(rate, d)| rate * *d).sum()
+}
+
+fn norm(y: &[f64]) -> f64 {
+    y.iter().map(|y| y * y).sum::<f64>().sqrt()
+}

@@ -1,0 +1,185 @@
+//! Root locus: the path of all four poles as one parameter goes through its range.
+//!
+//! Samples are set where the poles move most, and branches are followed by matching each set of poles to the next as
+//! a whole, so that a branch goes through a meeting of two poles without a jump.
+
+use nalgebra::{Complex, Matrix4};
+
+use super::eigen::eigenvalues;
+use super::mode::modes_of;
+use super::mode_name::ModeName;
+use crate::flight::aircraft::plane::Plane;
+
+/// The most evaluations of the model that one locus may take.
+pub const MOST_EVALUATIONS: usize = 200;
+
+/// Evaluations on the even grid that adaptive sampling starts from.
+const FIRST_EVALUATIONS: usize = 25;
+
+/// A step of a pole is fine enough below this fraction of its own |λ| …
+const FINE_STEP: f64 = 0.1;
+
+/// … or of this fraction of the largest |λ| on the locus, where the pole is near zero.
+const NEAR_ZERO: f64 = 2e-3;
+
+/// Two neighbouring samples are never set closer than this fraction of the range.
+const CLOSEST: f64 = 2e-5;
+
+/// The poles at one value of the parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// The parameter p.
+    pub parameter: f64,
+    /// The poles \[1/s\], one a branch; `None` where the model can't be had.
+    pub poles: Option<[Complex<f64>; 4]>,
+}
+
+/// The paths of the four poles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Locus {
+    /// By rising parameter; `poles[b]` is branch b in every sample. A branch starts anew behind a gap.
+    pub samples: Vec<Sample>,
+    /// The mode that each branch belongs to at the reference value; `None` if the model can't be had there.
+    pub names: [Option<ModeName>; 4],
+    /// Intervals of p in which poles meet: the number of oscillations changes between the two ends.
+    pub meetings: Vec<(f64, f64)>,
+    /// How often the model was evaluated.
+    pub evaluations: usize,
+}
+
+/// The locus of `model` over `range` (ends in either order), named after the modes at `reference`.
+///
+/// `model` gives A for a value of the parameter, or `None` where there is no such aircraft. It is called `most` times at most,
+/// itself held between 30 and [`MOST_EVALUATIONS`]; 60 draw a picture, 200 find meetings to 2·10⁻⁵ of the range. A range that is not
+/// finite gives an empty locus.
+pub fn locus(
+    plane: Plane,
+    model: impl Fn(f64) -> Option<Matrix4<f64>>,
+    range: (f64, f64),
+    reference: f64,
+    most: usize,
+) -> Locus {
+    // One is kept for the names.
+    let most = most.clamp(30, MOST_EVALUATIONS) - 1;
+    let (low, high) = (range.0.min(range.1), range.0.max(range.1));
+    let width = high - low;
+    let mut locus = Locus { samples: Vec::new(), names: [None; 4], meetings: Vec::new(), evaluations: 0 };
+    if !(range.0.is_finite() && range.1.is_finite() && width.is_finite()) {
+        return locus;
+    }
+    let mut samples: Vec<Sample> = Vec::with_capacity(most);
+    let evaluate = |parameter: f64| Sample { parameter, poles: model(parameter).and_then(|a| poles_of(&a)) };
+    let last = (FIRST_EVALUATIONS - 1) as f64;
+    let mut first: Vec<f64> = (0..FIRST_EVALUATIONS).map(|k| low + width * (k as f64 / last)).collect();
+    if (low..=high).contains(&reference) {
+        first.push(reference);
+    }
+    first.sort_by(f64::total_cmp);
+    first.dedup();
+    samples.extend(first.into_iter().map(evaluate));
+
+    // Halve the interval with the largest step until all are fine or the bound is reached.
+    let radius = samples.iter().filter_map(|s| s.poles).flatten().map(|pole| pole.norm()).fold(0.0, f64::max);
+    let coarseness = |a: &Sample, b: &Sample| -> f64 {
+        if b.parameter - a.parameter <= CLOSEST * width {
+            return 0.0;
+        }
+        coarseness(a, b, radius)
+    };
+    let mut steps: Vec<f64> = samples.windows(2).map(|pair| coarseness(&pair[0], &pair[1])).collect();
+    while samples.len() < most {
+        let Some((k, step)) = steps.iter().copied().enumerate().max_by(|x, y| x.1.total_cmp(&y.1)) else {
+            break;
+        };
+        let middle = 0.5 * samples[k].parameter + 0.5 * samples[k + 1].parameter;
+        if step <= FINE_STEP || middle <= samples[k].parameter || middle >= samples[k + 1].parameter {
+            break;
+        }
+        samples.insert(k + 1, evaluate(middle));
+        steps[k] = coarseness(&samples[k], &samples[k + 1]);
+        steps.insert(k + 1, coarseness(&samples[k + 1], &samples[k + 2]));
+    }
+
+    follow(&mut samples);
+    locus.evaluations = samples.len();
+    locus.meetings = samples.windows(2).filter_map(|pair| meeting(&pair[0], &pair[1])).collect();
+    let at_reference = samples.iter().find(|s| s.parameter == reference).and_then(|s| s.poles);
+    let modes = model(reference).and_then(|a| modes_of(plane, &a).ok());
+    locus.evaluations += 1;
+    if let (Some(poles), Some(modes)) = (at_reference, modes) {
+        // Equal matrices have equal poles, so that the nearest is the same one.
+        locus.names = poles.map(|pole| {
+            let distance = |lambda: Complex<f64>| (lambda - pole).norm().min((lambda.conj() - pole).norm());
+            modes
+                .iter()
+                .min_by(|x, y| distance(x.lambda).total_cmp(&distance(y.lambda)))
+                .map(|mode| mode.naming.name)
+        });
+    }
+    locus.samples = samples;
+    locus
+}
+
+fn poles_of(a: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
+    eigenvalues(a).ok()
+}
+
+fn pairs(poles: &[Complex<f64>; 4]) -> usize {
+    poles.iter().filter(|pole| pole.im > 0.0).count()
+}
+
+fn meeting(a: &Sample, b: &Sample) -> Option<(f64, f64)> {
+    let (before, after) = (a.poles?, b.poles?);
+    (pairs(&before) != pairs(&after)).then_some((a.parameter, b.parameter))
+}
+
+/// How far the poles go from one sample to the next, in units of their own size; large where poles meet or the model ends.
+fn coarseness(a: &Sample, b: &Sample, radius: f64) -> f64 {
+    match (a.poles, b.poles) {
+        (Some(from), Some(to)) => {
+            let order = matched(&from, &to);
+            let step = |i: usize| {
+                let (x, y) = (from[i], to[order[i]]);
+                // 2|λ − λ'|/(|λ| + |λ'|), and no finer near zero than a 500th of the picture
+                (y - x).norm() / (0.5 * (x.norm() + y.norm())).max(NEAR_ZERO * radius).max(f64::MIN_POSITIVE)
+            };
+            let step = (0..4).map(step).fold(0.0, f64::max);
+            if pairs(&from) == pairs(&to) { step } else { step.max(2.0 * FINE_STEP) }
+        }
+        (None, None) => 0.0,
+        // The edge of what is possible is worth finding, after the rest is smooth.
+        _ => 1.5 * FINE_STEP,
+    }
+}
+
+/// Puts the poles of every sample into the order of the branches.
+fn follow(samples: &mut [Sample]) {
+    let mut before: Option<[Complex<f64>; 4]> = None;
+    for sample in samples {
+        if let (Some(from), Some(to)) = (before, sample.poles) {
+            let order = matched(&from, &to);
+            sample.poles = Some(order.map(|j| to[j]));
+        }
+        before = sample.poles;
+    }
+}
+
+/// The order of `to` that makes the sum of the distances from `from` least: `to[order[i]]` continues `from[i]`.
+///
+/// All 24 orders are tried. Among equals (a pair parting into two real roots) the first wins.
+fn matched(from: &[Complex<f64>; 4], to: &[Complex<f64>; 4]) -> [usize; 4] {
+    let distance: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| (to[j] - from[i]).norm()));
+    let (mut best, mut least) = ([0, 1, 2, 3], f64::INFINITY);
+    for a in 0..4 {
+        for b in (0..4).filter(|&b| b != a) {
+            for c in (0..4).filter(|&c| c != a && c != b) {
+                let d = 6 - a - b - c;
+                let sum = distance[0][a] + distance[1][b] + distance[2][c] + distance[3][d];
+                if sum < least {
+                    (best, least) = ([a, b, c, d], sum);
+                }
+            }
+        }
+    }
+    best
+}

@@ -1,0 +1,23 @@
+//! Motion in time: what disturbs an aircraft, and how it answers, linearly and in six degrees of freedom.
+//!
+//! ```text
+//! inputs, gusts, turbulence ──► experiment ──┬──► response (linear, exact) ──► outputs, modal_sum, response_metrics
+//!                                            │                 frequency_response: the same over frequency
+//!                                            └──► six_dof ──► flight_path (rigid_body, aerodynamics, integrator)
+//! ```
+
+pub mod aerodynamics;
+pub mod experiment;
+pub mod flight_path;
+pub mod frequency_response;
+pub mod gusts;
+pub mod inputs;
+pub mod integrator;
+pub mod modal_sum;
+pub mod outputs;
+pub mod path_rates;
+pub mod response;
+pub mod response_metrics;
+pub mod rigid_body;
+pub mod six_dof;
+pub mod turbulence;

@@ -1,0 +1,123 @@
+//! A response as the sum of its modes.
+//!
+//! With left and right eigenvectors, lᵢᴴ vᵢ = 1, every state is x = Σ vᵢ (lᵢᴴ x): the part of mode i is vᵢ zᵢ with its modal
+//! coordinate zᵢ = lᵢᴴ x, and for a pair twice the real part. The split is taken from the exact response, sample by sample, so its
+//! sum is that response to rounding, whatever the input. A coordinate of the path follows from a mode as vᵢ zᵢ passed through the
+//! path's rates over λᵢ; what no mode makes, the drift of the path and what an input does at once, is a part of its own.
+
+use nalgebra::{Complex, Vector2, Vector4};
+use thiserror::Error;
+
+use super::outputs::OutputRow;
+use super::response::{Forced, Response};
+use crate::flight::modes::mode::Mode;
+
+/// Above this condition number of a mode its part is not drawn: parts a thousand times the motion would cancel each other.
+pub const WORST_SPLIT: f64 = 1e3;
+
+/// An output split into the parts of its modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModalSum {
+    /// One a mode, in the order of the modes: the output's values at the samples.
+    pub parts: Vec<Vec<f64>>,
+    /// What no mode makes: what the input does at once, and the drift of the path.
+    pub rest: Vec<f64>,
+}
+
+/// Why a response has no meaningful split.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SplitError {
+    /// Eigenvectors nearly dependent.
+    #[error(
+        "the {name} shares its shape with another mode here (condition {condition:.0}): the parts would be huge and cancel each other, so the \
+         split says nothing"
+    )]
+    Dependent {
+        /// The mode, in words.
+        name: &'static str,
+        /// Its condition number.
+        condition: f64,
+    },
+    /// A coordinate of the path, with a mode that neither dies away nor grows.
+    #[error(
+        "the {name} neither dies away nor grows, so its part in the path cannot be told from steady drift"
+    )]
+    Drift {
+        /// The mode, in words.
+        name: &'static str,
+    },
+}
+
+/// Splits an output of a response into the parts of the modes of its A.
+pub fn modal_sum(
+    modes: &[Mode],
+    row: &OutputRow,
+    forced: &Forced,
+    response: &Response,
+) -> Result<ModalSum, SplitError> {
+    let of_path = row.path != Vector2::zeros();
+    let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
+    for mode in modes {
+        let name = mode.naming.name.text();
+        if mode.condition > WORST_SPLIT {
+            return Err(SplitError::Dependent { name, condition: mode.condition });
+        }
+        if of_path && mode.lambda.norm() <= 1e-9 * fastest {
+            return Err(SplitError::Drift { name });
+        }
+    }
+    let readings: Vec<Reading> = modes.iter().map(|mode| Reading::new(mode, row, forced)).collect();
+    let count = response.states.len();
+    let mut sum =
+        ModalSum { parts: vec![Vec::with_capacity(count); modes.len()], rest: Vec::with_capacity(count) };
+    for (x, whole) in response.states.iter().zip(row.of(forced, response)) {
+        let mut rest = whole;
+        for (part, reading) in sum.parts.iter_mut().zip(&readings) {
+            let value = reading.of(x);
+            rest -= value;
+            part.push(value);
+        }
+        sum.rest.push(rest);
+    }
+    Ok(sum)
+}
+
+/// State at which a motion begins that stays in one mode: the real part of its shape, turned and scaled so that the greatest of
+/// the states `angles` is `amplitude` \[rad\] at the start.
+///
+/// `angles` turns the states into angles to be compared: \[u, w, q, θ\] ↦ (w/V, θ), \[v, p, r, φ\] ↦ (v/V, φ).
+pub fn single_mode(mode: &Mode, angles: [Vector4<f64>; 2], amplitude: f64) -> Vector4<f64> {
+    let seen = angles.map(|row| row.map(Complex::from).dot(&mode.shape));
+    let largest = if seen[0].norm() >= seen[1].norm() { seen[0] } else { seen[1] };
+    if largest.norm() <= 1e-12 * mode.shape.norm() {
+        // A mode without any angle: of the speed alone.
+        return mode.shape.map(|x| x.re) * amplitude;
+    }
+    (mode.shape * (Complex::from(amplitude) / largest)).map(|x| x.re)
+}
+
+/// How a mode's part of an output is read off the states: one row, since part = Re(g · lᴴ x) is linear in x.
+struct Reading(Vector4<f64>);
+
+impl Reading {
+    fn new(mode: &Mode, row: &OutputRow, forced: &Forced) -> Self {
+        let (v, l) = (&mode.shape, &mode.adjoint);
+        let complex = |row: &Vector4<f64>| row.map(Complex::from);
+        // y = c v z + k p with ṗ = K v z + P p, and all of a mode ∝ e^{λt}: p = (λ − P)⁻¹ K v z
+        let mut gain = complex(&row.states).dot(v);
+        if row.path != Vector2::zeros() {
+            let rates = &forced.path;
+            let driven: Vector2<Complex<f64>> = rates.of_states.map(Complex::from) * v;
+            let first = driven[0] / mode.lambda;
+            // P has only the entry by which the first coordinate drives the second.
+            let second = (driven[1] + first * rates.of_path[(1, 0)]) / mode.lambda;
+            gain += first * row.path[0] + second * row.path[1];
+        }
+        let gain = gain / l.dotc(v) * if mode.is_oscillatory() { 2.0 } else { 1.0 };
+        Self(l.map(|l| (gain * l.conj()).re))
+    }
+
+    fn of(&self, x: &Vector4<f64>) -> f64 {
+        self.0.dot(x)
+    }
+}

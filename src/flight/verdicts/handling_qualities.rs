@@ -1,0 +1,326 @@
+//! Handling-quality levels: what a pilot would say of each mode, after MIL-F-8785C.
+//!
+//! A verdict carries the limit that governs it and how far away that is. An aperiodic divergence in pitch gets none: paragraph 3.2.1.1
+//! judges it, by numbers that are not in the tables here.
+
+use super::mil_f_8785c::{
+    Category, Class, Criterion, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll, phugoid,
+    roll_mode, short_period_damping, short_period_frequency, spiral,
+};
+use crate::flight::aircraft::axes::to_stability_axes;
+use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
+use crate::flight::modes::stability::Stability;
+use crate::number::significant;
+
+/// How good the handling is (1.5, p. 4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Clearly adequate for the mission.
+    One,
+    /// Adequate, with more work for the pilot or less effect.
+    Two,
+    /// Controllable safely, with too much work or too little effect.
+    Three,
+    /// Worse than Level 3.
+    Beyond,
+}
+
+impl Level {
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::One => "Level 1",
+            Self::Two => "Level 2",
+            Self::Three => "Level 3",
+            Self::Beyond => "Worse than Level 3",
+        }
+    }
+
+    const fn number(self) -> usize {
+        self as usize
+    }
+}
+
+/// The limit that governs a verdict.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Governing {
+    /// The limit: of Level 1 if that is met, else of the next better level, which this one misses by most.
+    pub requirement: Requirement,
+    /// The level that the limit belongs to.
+    pub of: Level,
+    /// The limit on the other side of the same quantity, where that level sets one.
+    pub other: Option<f64>,
+    /// The value that the aircraft has.
+    pub value: f64,
+}
+
+impl Governing {
+    /// By how much the value would have to change to reach the limit, signed, in the unit of the quantity.
+    pub fn distance(&self) -> f64 {
+        self.requirement.limit - self.value
+    }
+}
+
+/// The verdict on one criterion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// What was judged.
+    pub criterion: Criterion,
+    /// The level, by the numbers as computed.
+    pub level: Level,
+    /// Whether a value equals a limit to three digits, so that the last digit would decide the level.
+    pub on_boundary: bool,
+    /// The values judged.
+    pub values: Vec<(Quantity, f64)>,
+    /// The governing limit; `None` where no number decides (a stable spiral, an oscillation that is not allowed).
+    pub governing: Option<Governing>,
+    /// The limit of Level 1 on a quantity that the mode doesn't have, and so meets: what never doubles has no time to double.
+    pub met_by_absence: Option<Requirement>,
+    /// What else is to be said of how it was judged.
+    pub note: Option<&'static str>,
+    /// The phase of flight whose limits these are.
+    pub category: Category,
+    /// Paragraph of MIL-F-8785C.
+    pub paragraph: &'static str,
+    /// Table or figure and page of MIL-F-8785C.
+    pub table: &'static str,
+}
+
+impl Verdict {
+    /// The verdict in one sentence with its source.
+    pub fn sentence(&self) -> String {
+        let boundary = if self.on_boundary { ", on the boundary" } else { "" };
+        let note = self.note.map_or_else(String::new, |note| format!(", {note}"));
+        let why = self.why().map_or_else(String::new, |why| format!(": {why}"));
+        format!(
+            "{}{boundary}{why}{note} (MIL-F-8785C {}, {}, {}).",
+            self.level.text(),
+            self.paragraph,
+            self.table,
+            self.category.text()
+        )
+    }
+
+    /// The value beside its limits; `None` where no number decides.
+    fn why(&self) -> Option<String> {
+        if let Some(Requirement { quantity, limit, .. }) = self.met_by_absence {
+            let (symbol, unit) = (quantity.symbol(), quantity.unit());
+            let limit = significant(limit, 3);
+            return Some(format!("it never doubles, Level 1 asks {symbol} of at least {limit}{unit}"));
+        }
+        let Governing { requirement, of, other, value } = self.governing?;
+        let Requirement { quantity, is_minimum, limit } = requirement;
+        let (symbol, unit, of) = (quantity.symbol(), quantity.unit(), of.text());
+        let [value, limit] = [value, limit].map(|x| significant(x, 3));
+        let Some(other) = other.map(|other| significant(other, 3)) else {
+            let bound = if is_minimum { "at least" } else { "at most" };
+            return Some(format!("{symbol} is {value}{unit}, {of} asks {bound} {limit}{unit}"));
+        };
+        let [low, high] = if is_minimum { [limit, other] } else { [other, limit] };
+        Some(if self.level == Level::One {
+            format!("{symbol} {value} lies within {of}’s {low} to {high}{unit}")
+        } else {
+            format!("{symbol} is {value}{unit}, {of} asks {low} to {high}{unit}")
+        })
+    }
+}
+
+/// All verdicts for the plane of `model`, whose modes are `modes`, for a class of aircraft in a phase of flight.
+pub fn handling_qualities(
+    model: &PlaneModel,
+    modes: &[Mode],
+    class: Class,
+    category: Category,
+) -> Vec<Verdict> {
+    match model.plane {
+        Plane::Longitudinal => longitudinal(model, modes, class, category),
+        Plane::Lateral => lateral(model, modes, class, category),
+    }
+}
+
+/// Load factor for angle of attack n/α \[g/rad\], positive where more angle of attack is more lift; `None` if not finite.
+///
+/// In stability axes n/α = −V² A_ww/(g A_wq), which is −V Zw/g where Zq is zero (MIL-F-8785C 6.2.4).
+pub fn load_factor_slope(model: &PlaneModel) -> Option<f64> {
+    let a = to_stability_axes(model).a;
+    let v = model.trim.speed;
+    let slope = -v * v * a[(1, 1)] / (model.trim.gravity * a[(1, 2)]);
+    slope.is_finite().then_some(slope)
+}
+
+/// |φ/β| of a lateral mode: bank angle about the flight path for sideslip angle, β = v/V; `None` if not finite.
+pub fn phi_to_beta(model: &PlaneModel, mode: &Mode) -> Option<f64> {
+    // φ in stability axes is φ cos θ₀/cos γ₀
+    let phi = mode.shape[3].norm() * (model.trim.theta0().cos() / model.trim.gamma0.cos()).abs();
+    let ratio = phi * model.trim.speed / mode.shape[0].norm();
+    ratio.is_finite().then_some(ratio)
+}
+
+fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Category) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    if let Some(motion) = second_order(modes, SHORT_PERIOD) {
+        let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
+        let note = note_on_roots(modes, ModeName::ShortPeriod);
+        let values = vec![(Quantity::DampingRatio, zeta)];
+        let damping = judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
+        verdicts.push(Verdict { note, ..damping });
+        // CAP = ωₙ²/(n/α)
+        let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
+        if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
+            let values = vec![
+                (Quantity::ControlAnticipation, cap),
+                (Quantity::NaturalFrequency, wn),
+                (Quantity::LoadFactorSlope, slope),
+            ];
+            let levels = short_period_frequency(class, category);
+            let frequency = judge(Criterion::ShortPeriodFrequency, category, values, &levels);
+            verdicts.push(Verdict { note, ..frequency });
+        }
+    }
+    if let Some(motion) = second_order(modes, PHUGOID) {
+        let mut values = vec![(Quantity::DampingRatio, motion.damping_ratio)];
+        values.extend(find(modes, ModeName::Phugoid).and_then(time_to_double));
+        let note = note_on_roots(modes, ModeName::Phugoid);
+        verdicts.push(Verdict { note, ..judge(Criterion::Phugoid, category, values, &phugoid()) });
+    }
+    verdicts
+}
+
+fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    if let Some(motion) = second_order(modes, DUTCH_ROLL) {
+        let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
+        let phi_to_beta =
+            find(modes, ModeName::DutchRoll).and_then(|mode| phi_to_beta(model, mode)).unwrap_or(0.0);
+        let phi_rule = (wn * wn * phi_to_beta).min(f64::MAX);
+        let values = vec![
+            (Quantity::DampingRatio, zeta),
+            (Quantity::DampingProduct, zeta * wn),
+            (Quantity::NaturalFrequency, wn),
+        ];
+        let levels = dutch_roll(class, category, wn, phi_rule);
+        let note = note_on_roots(modes, ModeName::DutchRoll);
+        verdicts.push(Verdict { note, ..judge(Criterion::DutchRoll, category, values, &levels) });
+    } else if find(modes, ModeName::DutchRollLessStableRoot).is_some_and(grows) {
+        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new(), "it diverges"));
+    }
+    if let Some(mode) = find(modes, ModeName::RollSubsidence) {
+        verdicts.push(match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
+            Some(tau) => judge(
+                Criterion::RollMode,
+                category,
+                vec![(Quantity::TimeConstant, tau)],
+                &roll_mode(class, category),
+            ),
+            None => not_allowed(Criterion::RollMode, category, Vec::new(), "the roll doesn’t die away"),
+        });
+    }
+    if let Some(mode) = find(modes, ModeName::Spiral) {
+        let values = time_to_double(mode).into_iter().collect();
+        verdicts.push(judge(Criterion::Spiral, category, values, &spiral(category)));
+    }
+    if let Some(mode) = find(modes, ModeName::CoupledRollSpiral) {
+        // ζωₙ = −σ
+        let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
+        verdicts.push(match coupled_roll_spiral(category) {
+            Some(levels) => judge(Criterion::CoupledRollSpiral, category, values, &levels),
+            None => {
+                let why = "no coupled oscillation of roll and spiral is allowed in this category";
+                not_allowed(Criterion::CoupledRollSpiral, category, values, why)
+            }
+        });
+    }
+    verdicts
+}
+
+fn find(modes: &[Mode], name: ModeName) -> Option<&Mode> {
+    modes.iter().find(|mode| mode.naming.name == name)
+}
+
+fn grows(mode: &Mode) -> bool {
+    mode.stability == Stability::Unstable
+}
+
+fn time_to_double(mode: &Mode) -> Option<(Quantity, f64)> {
+    mode.time_to_double().filter(|t| t.is_finite()).map(|t| (Quantity::TimeToDouble, t))
+}
+
+/// That two real roots were judged together, where the oscillation by this name has become such.
+fn note_on_roots(modes: &[Mode], pair: ModeName) -> Option<&'static str> {
+    find(modes, pair).is_none().then_some("its two real roots taken as one motion")
+}
+
+fn not_allowed(
+    criterion: Criterion,
+    category: Category,
+    values: Vec<(Quantity, f64)>,
+    why: &'static str,
+) -> Verdict {
+    Verdict {
+        criterion,
+        level: Level::Beyond,
+        on_boundary: false,
+        values,
+        governing: None,
+        met_by_absence: None,
+        note: Some(why),
+        category,
+        paragraph: criterion.paragraph(),
+        table: criterion.table(category),
+    }
+}
+
+/// The best level all of whose requirements are met, and the limit that governs it.
+fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>, levels: &Levels) -> Verdict {
+    let value = |quantity: Quantity| values.iter().find(|(q, _)| *q == quantity).map(|(_, value)| *value);
+    // A quantity that is absent is met: what never doubles has no time to double.
+    let excess = |requirement: &Requirement| {
+        value(requirement.quantity).map(|value| {
+            if requirement.is_minimum { value - requirement.limit } else { requirement.limit - value }
+        })
+    };
+    // The best level if each value may be off by `slack` roundings of the limit.
+    let level_with = |slack: f64| {
+        let met = |r: &Requirement| excess(r).is_none_or(|excess| excess >= slack * rounding(r.limit));
+        [Level::One, Level::Two, Level::Three]
+            .into_iter()
+            .zip(levels)
+            .find(|(_, requirements)| requirements.iter().all(met))
+            .map_or(Level::Beyond, |(level, _)| level)
+    };
+    let level = level_with(0.0);
+    // The limits of Level 1, or of the next better level; the one missed by most or met by least, for its size.
+    let of = [Level::One, Level::One, Level::Two, Level::Three][level.number()];
+    let relative = |r: &Requirement| excess(r).map(|excess| excess / r.limit.abs().max(0.01));
+    let governing = levels[of.number()]
+        .iter()
+        .filter_map(|r| Some((relative(r)?, r)))
+        .min_by(|x, y| x.0.total_cmp(&y.0))
+        .and_then(|(_, r)| {
+            let across = |o: &&Requirement| o.quantity == r.quantity && o.is_minimum != r.is_minimum;
+            let other = levels[of.number()].iter().find(across).map(|o| o.limit);
+            Some(Governing { requirement: *r, of, other, value: value(r.quantity)? })
+        });
+    let met_by_absence = governing.is_none().then(|| levels[0].first().copied()).flatten();
+    Verdict {
+        criterion,
+        level,
+        on_boundary: level_with(-1.0) != level_with(1.0),
+        governing,
+        met_by_absence,
+        note: None,
+        category,
+        paragraph: criterion.paragraph(),
+        table: criterion.table(category),
+        values,
+    }
+}
+
+/// Half a unit of the third significant digit of a limit; of a limit of zero, 0.0005.
+fn rounding(limit: f64) -> f64 {
+    let size = if limit == 0.0 { 0.1 } else { limit.abs() };
+    0.5 * 10_f64.powf(size.log10().floor() - 2.0)
+}
