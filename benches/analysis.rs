@@ -64,7 +64,7 @@ fn whole(criterion: &mut Criterion) {
     // Both planes from coefficients, with levels; then what the sliders of a page would do.
     criterion.bench_function("navion/analyse", |bench| bench.iter(|| black_box(&scenario).analyse()));
     let Ok(analysis) = scenario.analyse() else { return };
-    if let Some(Ok(plane)) = analysis.of(scenario.plane) {
+    if let Some(Ok(plane)) = &analysis.planes[scenario.plane] {
         criterion.bench_function("navion/sensitivities", |bench| {
             bench.iter(|| black_box(&scenario).sensitivities(plane, Page::Coefficients));
         });
@@ -105,7 +105,7 @@ fn nonlinear(criterion: &mut Criterion) {
 fn parts(criterion: &mut Criterion) {
     let Some(models) = navion().and_then(|scenario| scenario.edited.models().ok()) else { return };
     for (plane, name) in [(Plane::Longitudinal, "longitudinal"), (Plane::Lateral, "lateral")] {
-        let Some(model) = models.of(plane) else { continue };
+        let Some(model) = &models.planes[plane] else { continue };
         let found = modes(model).unwrap_or_default();
         let mut bench = |what: &str, run: &dyn Fn()| {
             criterion.bench_function(&format!("{name}/{what}"), |bench| bench.iter(run));

@@ -196,7 +196,7 @@ fn what_an_approximation_cannot_give_is_absent() {
     assert_eq!(one(&unstable, Name::ShortPeriodPitchOnly).value, None);
     assert_eq!(one(&unstable, Name::ShortPeriodPitchOnly).error(), None);
     // nothing at all
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
+    for plane in Plane::ALL {
         for found in all(&model(plane, [[0.0; 4]; 4])) {
             assert!(found.error().is_none());
         }

@@ -108,7 +108,7 @@ fn the_747_approach_has_caugheys_dimensional_derivatives() {
 #[test]
 fn the_747_approach_has_caugheys_matrix_and_polynomials() {
     let models = models("b747-approach");
-    let a = models.longitudinal.expect("longitudinal").a;
+    let a = models.planes.longitudinal.expect("longitudinal").a;
     let t = [FT, FT, 1.0, 1.0];
     let us = |i: usize, j: usize| a[(i, j)] / t[i] * t[j];
     for (i, j, printed) in [
@@ -130,7 +130,7 @@ fn the_747_approach_has_caugheys_matrix_and_polynomials() {
     assert_within(us(1, 2), 262.472, 1e-4, "A[1][2]");
     assert_within(us(2, 2), -0.5015, 1e-3, "A[2][2]");
 
-    let lateral = models.lateral.expect("lateral").a;
+    let lateral = models.planes.lateral.expect("lateral").a;
     for (a, printed) in [(a, [1.1066, 0.7994, 0.0225, 0.0139]), (lateral, [1.4385, 0.8222, 0.7232, 0.0319])] {
         for (got, want) in polynomial(&a).iter().zip(printed) {
             // half a unit of the last digit beside the rounding above
@@ -189,7 +189,7 @@ fn the_navion_has_tepers_dimensional_derivatives() {
 /// The same as above in the matrix: the entries of A that the report's derivatives give.
 #[test]
 fn the_navion_has_the_matrix_of_tepers_derivatives() {
-    let a = models("navion").longitudinal.expect("longitudinal").a;
+    let a = models("navion").planes.longitudinal.expect("longitudinal").a;
     let printed = [
         [-0.0451, 0.03607, 0.0, -9.8066352],
         [-0.3697, -2.0244, 53.6448, 0.0],
@@ -226,9 +226,10 @@ fn every_matrix_agrees_with_the_independent_one() {
     for reference in references() {
         let key = &reference.key;
         let models = models(key);
-        for (model, reference) in
-            [(models.longitudinal, &reference.longitudinal), (models.lateral, &reference.lateral)]
-        {
+        for (model, reference) in [
+            (models.planes.longitudinal, &reference.longitudinal),
+            (models.planes.lateral, &reference.lateral),
+        ] {
             let model = model.expect("both planes");
             let rows = reference.a_si.unwrap_or(reference.a);
             let a = Matrix4::from_fn(|i, j| rows[i][j]);
@@ -273,9 +274,10 @@ fn lengths(model: &PlaneModel) -> usize {
 fn every_eigenvalue_agrees_with_the_independent_one() {
     for reference in references() {
         let models = models(&reference.key);
-        for (model, reference_model) in
-            [(models.longitudinal, &reference.longitudinal), (models.lateral, &reference.lateral)]
-        {
+        for (model, reference_model) in [
+            (models.planes.longitudinal, &reference.longitudinal),
+            (models.planes.lateral, &reference.lateral),
+        ] {
             let values = eigen(&model.expect("both planes").a).expect("it solves").values;
             for [re, im] in &reference_model.eigenvalues {
                 let want = Complex::new(*re, *im);
@@ -296,9 +298,10 @@ fn stability_axes_are_those_of_the_independent_transform() {
             continue; // not the same matrix to begin with
         }
         let models = models(&reference.key);
-        for (model, reference_model) in
-            [(models.longitudinal, &reference.longitudinal), (models.lateral, &reference.lateral)]
-        {
+        for (model, reference_model) in [
+            (models.planes.longitudinal, &reference.longitudinal),
+            (models.planes.lateral, &reference.lateral),
+        ] {
             let Some(want) = reference_model.a_stab else { continue };
             let model = to_stability_axes(&model.expect("both planes"));
             let n = lengths(&model);
@@ -325,7 +328,7 @@ fn axes_change_no_eigenvalue_and_there_and_back_is_the_same() {
     let (aircraft, _) = embedded_aircraft();
     for one in aircraft {
         let models = one.study.models().expect("it has a steady flight");
-        for model in models.longitudinal.into_iter().chain(models.lateral) {
+        for model in models.planes.longitudinal.into_iter().chain(models.planes.lateral) {
             for alpha0 in [-0.1, 0.0, 0.2] {
                 let turned = to_body_axes(&model, alpha0);
                 let back = to_body_axes(&turned, model.trim.alpha0);
@@ -355,9 +358,9 @@ fn leaving_w0_out_of_body_axes_turns_the_747s_dutch_roll_unstable() {
         let pair = values.iter().find(|value| value.im > 0.0).expect("a Dutch roll");
         -pair.re / pair.norm()
     };
-    let right = damping(&study.models().lateral.expect("lateral"));
+    let right = damping(&study.models().planes.lateral.expect("lateral"));
     study.trim = Trim { alpha0: 0.0, ..study.trim };
-    let wrong = damping(&study.models().lateral.expect("lateral"));
+    let wrong = damping(&study.models().planes.lateral.expect("lateral"));
     assert_within(right, 0.0351, 2e-3, "ζ");
     assert_within(wrong, -0.0335, 2e-3, "ζ without W₀");
 }
@@ -460,7 +463,7 @@ fn the_nt33a_reaches_its_modes_from_coefficients_too() {
         );
     };
     let (longitudinal, lateral) =
-        (models.longitudinal.expect("longitudinal"), models.lateral.expect("lateral"));
+        (models.planes.longitudinal.expect("longitudinal"), models.planes.lateral.expect("lateral"));
     near(&longitudinal, 1.59, 0.622, 0.03);
     near(&longitudinal, 0.172, 0.0948, 0.06);
     near(&lateral, 1.13, 0.0609, 0.03);

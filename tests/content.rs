@@ -14,7 +14,7 @@ fn text_of(file: &str) -> &'static str {
 fn planes(aircraft: &Aircraft) -> Vec<PlaneModel> {
     let models = aircraft.study.models().expect("a file that reads has a steady flight");
     assert!(models.problems.is_empty());
-    models.longitudinal.into_iter().chain(models.lateral).collect()
+    models.planes.longitudinal.into_iter().chain(models.planes.lateral).collect()
 }
 
 #[test]
@@ -333,7 +333,7 @@ fn check(text: &str) {
     if let Ok(aircraft) = Aircraft::from_toml("mutated.toml", text) {
         let models = aircraft.study.models();
         let models = models.expect("a file is only read when it has a steady flight");
-        for model in models.longitudinal.iter().chain(&models.lateral) {
+        for model in models.planes.longitudinal.iter().chain(&models.planes.lateral) {
             assert!(model.a.iter().chain(&model.b).all(|x| x.is_finite()));
         }
         assert!(matches!(aircraft.study, Study::Matrices(_)) || aircraft.particulars.speed.is_some());

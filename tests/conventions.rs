@@ -9,7 +9,7 @@ fn models() -> Vec<(String, PlaneModel, Option<PlaneModel>)> {
     let (aircraft, _) = embedded_aircraft();
     let of = |one: Aircraft| {
         let models = one.study.models().expect("it has a steady flight");
-        (one.key, models.longitudinal.expect("longitudinal"), models.lateral)
+        (one.key, models.planes.longitudinal.expect("longitudinal"), models.planes.lateral)
     };
     aircraft.into_iter().map(of).collect()
 }
@@ -105,7 +105,7 @@ fn right_wing_down_falls_to_the_right() {
 fn body_axes_have_w0_terms_and_stability_axes_none() {
     let (aircraft, _) = embedded_aircraft();
     for one in aircraft {
-        let model = one.study.models().expect("it flies").longitudinal.expect("longitudinal");
+        let model = one.study.models().expect("it flies").planes.longitudinal.expect("longitudinal");
         let w0 = model.trim.w0();
         assert_eq!(model.a[(0, 2)], -w0 + 0.0, "{}", one.key);
         assert!(w0 == 0.0 || matches!(one.study, Study::Derivatives(_)), "{}", one.key);

@@ -93,7 +93,7 @@ fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
                 // Short: an unoptimised build takes its time.
                 let set = vec![("time".to_owned(), 4.0)];
                 let response = respond(&Subject { set, ..Subject::listed(&aircraft.key) }, &request);
-                let can_be = [Plane::Longitudinal, Plane::Lateral].iter().any(|plane| {
+                let can_be = Plane::ALL.iter().any(|plane| {
                     let has_data = aircraft.planes.contains(&format!("{plane:?}").to_lowercase().as_str());
                     has_data && Source::of(*plane).contains(&source)
                 });

@@ -52,7 +52,7 @@ fn levels_are_those_of_the_reference_for_every_case() {
     for case in file["cases"].as_array().expect("cases") {
         let id = case["id"].as_str().expect("an id");
         let class = class(case["class"].as_str().expect("a class"));
-        let [lon, lat] = [Plane::Longitudinal, Plane::Lateral].map(|plane| reference(id).model(plane));
+        let [lon, lat] = Plane::ALL.map(|plane| reference(id).model(plane));
         let n_alpha = load_factor_slope(&lon).expect("n/α");
         assert_close(n_alpha, &case["n_alpha_g_per_rad"], id);
         for (category, letter) in CATEGORIES {

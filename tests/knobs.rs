@@ -180,7 +180,7 @@ fn at_the_neutral_point_pitch_stiffness_and_with_it_the_determinant_vanish() {
         // E = g (Zu Mw − Mu Zw) is zero with Mw = Mu = 0, and changes sign there
         study.coefficients.longitudinal.cl_m = 0.0;
         let determinant = |study: &CoefficientStudy| {
-            models(study).expect("it flies").longitudinal.expect("longitudinal").a.determinant()
+            models(study).expect("it flies").planes.longitudinal.expect("longitudinal").a.determinant()
         };
         let at = determinant(&study);
         study.knobs.cg_shift = margin - 0.05;
@@ -261,7 +261,7 @@ fn a_larger_fin_weathercocks_and_damps_and_makes_the_spiral_less_stable() {
         assert!(after.cl_beta < before.cl_beta, "{key}: a fin above the axis adds to the dihedral effect");
         assert!((after.cn_dr / before.cn_dr - 1.5).abs() < 1e-12);
         let frequency = |study: &CoefficientStudy| {
-            let model = models(study).expect("it flies").lateral.expect("lateral");
+            let model = models(study).expect("it flies").planes.lateral.expect("lateral");
             let values = eigen(&model.a).expect("it solves").values;
             values.iter().find(|value| value.im > 0.0).expect("a Dutch roll").norm()
         };
@@ -275,7 +275,7 @@ fn a_larger_fin_weathercocks_and_damps_and_makes_the_spiral_less_stable() {
 fn more_dihedral_makes_the_spiral_more_stable() {
     for (key, mut study) in all() {
         let slowest_root = |study: &CoefficientStudy| {
-            let model = models(study).expect("it flies").lateral.expect("lateral");
+            let model = models(study).expect("it flies").planes.lateral.expect("lateral");
             let values = eigen(&model.a).expect("it solves").values;
             values.iter().filter(|value| value.im == 0.0).map(|value| value.re).fold(f64::MIN, f64::max)
         };
@@ -327,7 +327,7 @@ fn drag_follows_a_parabolic_polar() {
 #[test]
 fn a_faster_navion_has_a_slower_phugoid_and_a_faster_short_period() {
     let pairs = |study: &CoefficientStudy| {
-        let model = models(study).expect("it flies").longitudinal.expect("longitudinal");
+        let model = models(study).expect("it flies").planes.longitudinal.expect("longitudinal");
         let values = eigen(&model.a).expect("it solves").values;
         let mut sizes: Vec<f64> = values.iter().filter(|v| v.im > 0.0).map(|v| v.norm()).collect();
         sizes.sort_by(f64::total_cmp);
@@ -384,7 +384,7 @@ fn a_plane_with_a_problem_leaves_the_other() {
     let mut study = study("b747-approach");
     study.knobs.ix_ratio = 0.001;
     let made = models(&study).expect("the flight itself is possible");
-    assert!(made.longitudinal.is_some() && made.lateral.is_none());
+    assert!(made.planes.longitudinal.is_some() && made.planes.lateral.is_none());
     assert!(made.problems[0].to_string().starts_with("Ixz² is 7.677 times Ix Iz"), "{}", made.problems[0]);
 
     let Ok(Some(mut free)) = Study::Coefficients(self::study("navion")).to_derivatives() else {
@@ -394,7 +394,7 @@ fn a_plane_with_a_problem_leaves_the_other() {
         d.z_wdot = 1.0;
     }
     let made = free.models();
-    assert!(made.longitudinal.is_none() && made.lateral.is_some());
+    assert!(made.planes.longitudinal.is_none() && made.planes.lateral.is_some());
     assert!(made.problems[0].to_string().contains("1 − Zẇ is 0.00e0"));
 
     if let Some(d) = &mut free.longitudinal {
@@ -439,7 +439,7 @@ proptest! {
         study.condition.gamma0 = c[2];
         *(LONGITUDINAL_COEFFICIENTS[row].of)(&mut study.coefficients.longitudinal) = x;
         match models(&study) {
-            Ok(made) => prop_assert!(made.longitudinal.iter().chain(&made.lateral).all(is_finite)),
+            Ok(made) => prop_assert!(made.planes.iter().flatten().all(is_finite)),
             Err(problem) => prop_assert!(problem.to_string().len() > 20),
         }
     }

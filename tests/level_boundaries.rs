@@ -20,7 +20,7 @@ const CRUISE: Task = Task { class: Class::I, category: Category::B };
 fn analysed(plane: Plane) -> Vec<PlaneAnalysis> {
     let of = |aircraft| {
         let scenario = Scenario { plane, ..Scenario::new(Arc::new(aircraft)) };
-        scenario.analyse().ok()?.of(plane)?.as_ref().ok().cloned()
+        scenario.analyse().ok()?.planes[plane].as_ref()?.as_ref().ok().cloned()
     };
     embedded_aircraft().0.into_iter().filter_map(of).collect()
 }
@@ -53,7 +53,7 @@ fn level_by_lines(boundaries: &[Boundary], criterion: Criterion, lambda: Complex
 #[test]
 fn the_lines_give_the_levels_that_the_verdicts_give() {
     let mut compared = 0;
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
+    for plane in Plane::ALL {
         for analysis in analysed(plane) {
             for (_, class) in Class::NAMES {
                 for (_, category) in Category::NAMES {
@@ -90,7 +90,7 @@ fn navion(plane: Plane) -> Vec<Boundary> {
     let aircraft = embedded_aircraft().0.into_iter().find(|aircraft| aircraft.key == "navion");
     let scenario = Scenario { plane, ..Scenario::new(Arc::new(aircraft.expect("the Navion"))) };
     let analysis = scenario.analyse().expect("an analysis");
-    let Some(Ok(analysis)) = analysis.of(plane) else { panic!("an analysis") };
+    let Some(Ok(analysis)) = &analysis.planes[plane] else { panic!("an analysis") };
     level_boundaries(&analysis.model, &analysis.modes, CRUISE)
 }
 
@@ -167,7 +167,7 @@ fn an_approximation_gives_the_root_of_its_frequency_and_damping() {
 
 #[test]
 fn every_mode_of_a_course_has_one_principal_approximation() {
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
+    for plane in Plane::ALL {
         for analysis in analysed(plane) {
             for mode in &analysis.modes {
                 let of_mode =

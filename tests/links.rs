@@ -3,7 +3,7 @@
 use std::sync::{Arc, LazyLock};
 
 use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
-use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::aircraft::plane::{ByPlane, Plane};
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::scenario::link::{
     self, Details, LONGEST, LinkView, Marks, Notice, Opened, Overlays, Pane, Sight, Tab, Viewpoint,
@@ -82,6 +82,10 @@ fn outputs(plane: Plane, count: usize) -> impl Strategy<Value = Vec<Output>> {
     prop::collection::vec(prop::sample::select(Output::of(plane)), count)
 }
 
+fn by_plane<T>((longitudinal, lateral): (T, T)) -> ByPlane<T> {
+    ByPlane { longitudinal, lateral }
+}
+
 prop_compose! {
     fn sights()(
         shown in (prop::sample::subsequence(Output::of(Plane::Longitudinal), 1..10), prop::sample::subsequence(Output::of(Plane::Lateral), 1..9)),
@@ -99,10 +103,10 @@ prop_compose! {
         let [.., body_axes, earth_axes, angles, rates, forces, flow, path, moments] = flags;
         let overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
         Sight {
-            shown: if usual_shown { usual.shown } else { [shown.0, shown.1] },
+            shown: if usual_shown { usual.shown } else { by_plane(shown) },
             split,
-            portraits: if usual_pairs { usual.portraits } else { [portraits(&pairs.0), portraits(&pairs.1)] },
-            frequency_of: if usual_pairs { usual.frequency_of } else { [pairs.0[4], pairs.1[4]] },
+            portraits: if usual_pairs { usual.portraits } else { by_plane((portraits(&pairs.0), portraits(&pairs.1))) },
+            frequency_of: if usual_pairs { usual.frequency_of } else { by_plane((pairs.0[4], pairs.1[4])) },
             marks: Marks { approximations, levels },
             details: Details { shape, levels: of_levels, approximations: of_books },
             maximised: pane,
@@ -132,11 +136,11 @@ prop_compose! {
     ) -> (Scenario, LinkView) {
         let mut scene = Scenario::new(of.get(&AIRCRAFT).clone());
         apply(&mut scene, &on_scene);
-        if lateral && scene.aircraft.notes_of(Plane::Lateral).is_some() {
+        if lateral && scene.aircraft.plane_notes[Plane::Lateral].is_some() {
             scene.plane = Plane::Lateral;
         }
-        for (i, plane) in [Plane::Longitudinal, Plane::Lateral].into_iter().enumerate() {
-            let choice = scene.disturbance.choice_mut(plane);
+        for (i, plane) in Plane::ALL.into_iter().enumerate() {
+            let choice = &mut scene.disturbance.choices[plane];
             choice.control_shape = *shapes[i].get(Source::Elevator.shapes());
             choice.gust_shape = *shapes[2 + i].get(Source::SideGust.shapes());
             choice.source = *sources[i].get(Source::of(plane));
@@ -226,16 +230,19 @@ fn normal_scene() -> (Scenario, LinkView) {
         set(&mut scene, key, value);
     }
     scene.plane = Plane::Lateral;
-    let choice = scene.disturbance.choice_mut(Plane::Lateral);
+    let choice = &mut scene.disturbance.choices[Plane::Lateral];
     choice.source = Source::Aileron;
     let ghost = Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost };
     let usual = Sight::default();
     let sight = Sight {
-        shown: [usual.shown[0].clone(), vec![Output::Sideslip, Output::BankAngle, Output::SideLoad]],
-        portraits: [
-            usual.portraits[0],
-            [(Output::Sideslip, Output::YawRate), (Output::RollRate, Output::BankAngle)],
-        ],
+        shown: ByPlane {
+            lateral: vec![Output::Sideslip, Output::BankAngle, Output::SideLoad],
+            ..usual.shown.clone()
+        },
+        portraits: ByPlane {
+            lateral: [(Output::Sideslip, Output::YawRate), (Output::RollRate, Output::BankAngle)],
+            ..usual.portraits
+        },
         marks: Marks { approximations: false, levels: true },
         details: Details { shape: true, ..Details::default() },
         viewpoint: Viewpoint::From { azimuth: -40, elevation: 12, distance: 140 },
@@ -350,10 +357,7 @@ fn no_scene_is_too_long_for_a_link() {
             None => p.set(&mut scene, value),
         }
     }
-    let sight = Sight {
-        shown: [Plane::Longitudinal, Plane::Lateral].map(|plane| Output::of(plane).to_vec()),
-        ..Sight::default()
-    };
+    let sight = Sight { shown: ByPlane::from_fn(|plane| Output::of(plane).to_vec()), ..Sight::default() };
     let view = LinkView { ghost: Some(scene.clone()), sight, ..LinkView::of(&scene) };
     let link = link::write(&scene, &view);
     assert!(link.len() > 5000, "not the longest: {}", link.len());
@@ -391,8 +395,8 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
     let of_plane = |plane| {
         format!(
             "{} of {}",
-            scenario.disturbance.choice(plane).text(),
-            scenario.disturbance.choice(plane).mode + 1
+            scenario.disturbance.choices[plane].text(),
+            scenario.disturbance.choices[plane].mode + 1
         )
     };
     let found = match pinned.unwrap_or(key) {
@@ -409,15 +413,18 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
             let keys = |outputs: &Vec<Output>| {
                 outputs.iter().map(|output| Quantity::of(*output).key).collect::<Vec<_>>().join(" ")
             };
-            opened.view.sight.shown.each_ref().map(keys).join(" / ")
+            opened.view.sight.shown.iter().map(keys).collect::<Vec<_>>().join(" / ")
         }
         "portraits" => {
             let pair = |(across, upward): &(Output, Output)| {
                 format!("{} over {}", Quantity::of(*upward).key, Quantity::of(*across).key)
             };
-            opened.view.sight.portraits.as_flattened().iter().map(pair).collect::<Vec<_>>().join(" / ")
+            opened.view.sight.portraits.iter().flatten().map(pair).collect::<Vec<_>>().join(" / ")
         }
-        "frequency of" => opened.view.sight.frequency_of.map(|output| Quantity::of(output).key).join(" / "),
+        "frequency of" => {
+            let keys = opened.view.sight.frequency_of.iter().map(|output| Quantity::of(*output).key);
+            keys.collect::<Vec<_>>().join(" / ")
+        }
         "split" => opened.view.sight.split.to_string(),
         "marks" => {
             let Marks { approximations, levels } = opened.view.sight.marks;

@@ -12,7 +12,7 @@ use eigenwing::scenario::parameters::Group;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
 use nalgebra::Matrix4;
 
-const PLANES: [Plane; 2] = [Plane::Longitudinal, Plane::Lateral];
+const PLANES: [Plane; 2] = Plane::ALL;
 
 fn find(key: &str) -> &'static Parameter {
     Parameter::find(key).expect("a row")
@@ -64,7 +64,7 @@ fn rows(scenario: &Scenario) -> impl Iterator<Item = &'static Parameter> {
 fn at(scenario: &Scenario, p: &Parameter, change: f64) -> Option<Matrix4<f64>> {
     let mut moved = scenario.clone();
     p.set(&mut moved, p.get(scenario) + change);
-    Some(moved.edited.models().ok()?.of(scenario.plane)?.a)
+    Some(moved.edited.models().ok()?.planes[scenario.plane].as_ref()?.a)
 }
 
 /// Slope from five values, with an error of h⁴A⁽⁵⁾/30 between them and h⁴A⁽⁵⁾/5 at an end.
@@ -83,7 +83,7 @@ fn slope(scenario: &Scenario, p: &Parameter, h: f64) -> Option<Matrix4<f64>> {
 
 /// A of the studied plane, if the aircraft has it.
 fn state_matrix(scenario: &Scenario) -> Option<Matrix4<f64>> {
-    Some(scenario.edited.models().ok()?.of(scenario.plane)?.a)
+    Some(scenario.edited.models().ok()?.planes[scenario.plane].as_ref()?.a)
 }
 
 fn length(scenario: &Scenario, p: &Parameter) -> f64 {

@@ -23,24 +23,25 @@ fn largest(values: &[f64]) -> f64 {
 /// Calls `check` with the motion after every disturbance of every second aircraft.
 fn for_every_motion(mut check: impl FnMut(&str, &Motion, &[Mode])) {
     for aircraft in scenarios().step_by(2) {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             for &source in Source::of(plane) {
                 let mut scenario = aircraft.clone();
                 scenario.plane = plane;
-                scenario.disturbance.choice_mut(plane).source = source;
+                scenario.disturbance.choices[plane].source = source;
                 let shapes = source.shapes();
                 for k in 0..shapes.len().max(1) {
                     if let Some(shape) = shapes.get(k) {
-                        *scenario.disturbance.choice_mut(plane).shape_mut() = *shape;
+                        *scenario.disturbance.choices[plane].shape_mut() = *shape;
                     }
                     // Growing motions stay small enough for a sum to mean something.
                     scenario.disturbance.sizes.time = 20.0;
                     let analysis = scenario.analyse().expect("an analysis");
-                    let (Some(Ok(analysed)), Some(motion)) = (analysis.of(plane), &analysis.motion) else {
+                    let (Some(Ok(analysed)), Some(motion)) = (&analysis.planes[plane], &analysis.motion)
+                    else {
                         continue;
                     };
                     let name =
-                        format!("{} {}", aircraft.aircraft.key, scenario.disturbance.choice(plane).text());
+                        format!("{} {}", aircraft.aircraft.key, scenario.disturbance.choices[plane].text());
                     check(&name, motion, &analysed.modes);
                 }
             }
@@ -96,11 +97,11 @@ fn of_the_states_the_modes_alone_are_the_whole() {
 #[test]
 fn a_part_moves_as_its_mode_does() {
     let mut scenario = scenarios().next().expect("the Navion");
-    scenario.disturbance.longitudinal.source = Source::Release;
+    scenario.disturbance.choices.longitudinal.source = Source::Release;
     scenario.disturbance.sizes.time = 6.0;
     let analysis = scenario.analyse().expect("an analysis");
     let motion = analysis.motion.as_ref().expect("a motion");
-    let modes = &analysis.of(Plane::Longitudinal).expect("data").as_ref().expect("modes").modes;
+    let modes = &analysis.planes[Plane::Longitudinal].as_ref().expect("data").as_ref().expect("modes").modes;
     for output in [Output::AngleOfAttack, Output::NormalLoad, Output::Height, Output::PathAngle] {
         let sum = motion.split(modes, output).expect("a split");
         for (mode, part) in modes.iter().zip(&sum.parts) {
@@ -121,20 +122,20 @@ fn a_part_moves_as_its_mode_does() {
 #[test]
 fn one_mode_alone_stays_alone() {
     for aircraft in scenarios() {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             let mut scenario = aircraft.clone();
             scenario.plane = plane;
-            scenario.disturbance.choice_mut(plane).source = Source::OneMode;
+            scenario.disturbance.choices[plane].source = Source::OneMode;
             let analysis = scenario.analyse().expect("an analysis");
-            let Some(Ok(analysed)) = analysis.of(plane) else { continue };
+            let Some(Ok(analysed)) = &analysis.planes[plane] else { continue };
             for index in 0..analysed.modes.len() {
-                scenario.disturbance.choice_mut(plane).mode = index;
+                scenario.disturbance.choices[plane].mode = index;
                 // Long enough to see it, short enough that rounding in a growing mode stays rounding.
                 let slowest = analysed.modes[index].lambda.norm().max(1e-3);
                 scenario.disturbance.sizes.time = (3.0 / slowest).clamp(2.0, 300.0);
                 let analysis = scenario.analyse().expect("an analysis");
                 let motion = analysis.motion.as_ref().expect("a motion");
-                let Some(Ok(analysed)) = analysis.of(plane) else { unreachable!("it was there") };
+                let Some(Ok(analysed)) = &analysis.planes[plane] else { unreachable!("it was there") };
                 let Ok(sum) = motion.split(&analysed.modes, Output::of(plane)[2]) else { continue };
                 let own = largest(&sum.parts[index]);
                 for (other, part) in sum.parts.iter().enumerate() {
@@ -157,9 +158,9 @@ fn one_mode_alone_stays_alone() {
 #[test]
 fn one_mode_alone_begins_at_its_size() {
     let mut scenario = scenarios().next().expect("the Navion");
-    scenario.disturbance.longitudinal.source = Source::OneMode;
+    scenario.disturbance.choices.longitudinal.source = Source::OneMode;
     for (mode, output) in [(0, Output::AngleOfAttack), (1, Output::PitchAngle)] {
-        scenario.disturbance.longitudinal.mode = mode;
+        scenario.disturbance.choices.longitudinal.mode = mode;
         let analysis = scenario.analyse().expect("an analysis");
         let motion = analysis.motion.expect("a motion");
         // The short period's pitch angle is a little smaller than its angle of attack; the phugoid is all pitch.
@@ -175,7 +176,7 @@ fn near_a_repeated_root_the_response_is_exact_and_the_split_says_that_it_means_n
     // Where the two roots of the short period meet: bisected between a pair and two real roots.
     let condition_at = |scenario: &mut Scenario, value: f64| {
         stiffness.set(scenario, value);
-        let model = scenario.edited.models().expect("models").longitudinal.expect("data");
+        let model = scenario.edited.models().expect("models").planes.longitudinal.expect("data");
         let found = modes(&model).expect("modes");
         (found.len(), found.iter().map(|mode| mode.condition).fold(0.0, f64::max))
     };
@@ -188,7 +189,8 @@ fn near_a_repeated_root_the_response_is_exact_and_the_split_says_that_it_means_n
     assert!(condition > 1e3 * WORST_SPLIT, "{condition:e}");
     let analysis = scenario.analyse().expect("an analysis");
     let motion = analysis.motion.as_ref().expect("a motion");
-    let modes_here = &analysis.of(Plane::Longitudinal).expect("data").as_ref().expect("modes").modes;
+    let modes_here =
+        &analysis.planes[Plane::Longitudinal].as_ref().expect("data").as_ref().expect("modes").modes;
     let error = motion.split(modes_here, Output::AngleOfAttack).expect_err("no split");
     assert!(matches!(error, SplitError::Dependent { .. }), "{error}");
     // The response itself passes smoothly through: it is the mean of its neighbours on either side.

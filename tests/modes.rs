@@ -25,7 +25,7 @@ fn analysis(aircraft: Aircraft) -> Analysis {
 }
 
 fn longitudinal(key: &str) -> PlaneAnalysis {
-    analysis(aircraft(key)).longitudinal.expect("longitudinal data").expect("a plane analysed")
+    analysis(aircraft(key)).planes.longitudinal.expect("longitudinal data").expect("a plane analysed")
 }
 
 fn mode(analysis: &PlaneAnalysis, name: ModeName) -> &Mode {
@@ -139,7 +139,7 @@ fn with_the_centre_of_gravity_on_the_neutral_point_static_stability_is_neutral()
         let mut scenario = Scenario::new(aircraft("navion").into());
         cg.set(&mut scenario, shift * margins.static_margin);
         let analysis = scenario.analyse().expect("an analysis");
-        let plane = analysis.longitudinal.expect("longitudinal data").expect("a plane analysed");
+        let plane = analysis.planes.longitudinal.expect("longitudinal data").expect("a plane analysed");
         assert_eq!(plane.static_stability.determinant > 0.0, stable, "{shift}");
         let left = analysis.margins.expect("coefficients").static_margin;
         close(left, (1.0 - shift) * margins.static_margin, 1e-12);
@@ -155,7 +155,7 @@ fn a_model_without_a_trim_speed_is_an_error_with_a_sentence() {
         scenario.edited =
             Edited::new(Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }));
         let analysis = scenario.analyse().expect("an analysis");
-        let error = analysis.longitudinal.expect("longitudinal data").expect_err("no analysis of it");
+        let error = analysis.planes.longitudinal.expect("longitudinal data").expect_err("no analysis of it");
         assert!(error.to_string().contains("trim speed"), "{error}");
     }
 }

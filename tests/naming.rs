@@ -56,10 +56,8 @@ fn named_modes_have_the_printed_numbers() {
     let mut checked = 0;
     for reference in references() {
         let Some(printed) = &reference.published_modes else { continue };
-        let all: Vec<Mode> = [Plane::Longitudinal, Plane::Lateral]
-            .iter()
-            .flat_map(|&plane| modes(&reference.model(plane)).expect("modes"))
-            .collect();
+        let all: Vec<Mode> =
+            Plane::ALL.iter().flat_map(|&plane| modes(&reference.model(plane)).expect("modes")).collect();
         for mode in &all {
             let key = match mode.naming.name {
                 ShortPeriod => "short_period",
@@ -306,7 +304,7 @@ fn reason_in(link: &str, name: ModeName) -> String {
     let aircraft: Vec<Arc<Aircraft>> = embedded_aircraft().0.into_iter().map(Arc::new).collect();
     let scene = link::read(link, &aircraft).expect("a scene").scenario;
     let analysis = scene.analyse().expect("an analysis");
-    let plane = analysis.of(scene.plane).expect("a plane").as_ref().expect("modes");
+    let plane = analysis.planes[scene.plane].as_ref().expect("a plane").as_ref().expect("modes");
     let mode = plane.modes.iter().find(|mode| mode.naming.name == name).expect("it is there");
     mode.naming.reason.clone()
 }

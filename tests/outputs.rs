@@ -19,7 +19,7 @@ fn scenario(key: &str, plane: Plane, source: Source, shape: Shape) -> Scenario {
     let found = aircraft.into_iter().find(|aircraft| aircraft.key == key).expect("an aircraft");
     let mut scenario = Scenario::new(Arc::new(found));
     scenario.plane = plane;
-    let choice = scenario.disturbance.choice_mut(plane);
+    let choice = &mut scenario.disturbance.choices[plane];
     choice.source = source;
     *choice.shape_mut() = shape;
     scenario
@@ -27,7 +27,8 @@ fn scenario(key: &str, plane: Plane, source: Source, shape: Shape) -> Scenario {
 
 fn motion(scenario: &Scenario) -> (Motion, Vec<Mode>) {
     let analysis = scenario.analyse().expect("an analysis");
-    let modes = analysis.of(scenario.plane).expect("data").as_ref().expect("modes").modes.clone();
+    let modes =
+        analysis.planes[scenario.plane].as_ref().expect("data").as_ref().expect("modes").modes.clone();
     (analysis.motion.expect("a motion"), modes)
 }
 
@@ -115,7 +116,7 @@ fn the_load_factor_is_the_curvature_of_the_path() {
 #[test]
 fn in_steady_sideslip_the_seat_pushes_as_hard_as_the_bank_leans() {
     let mut scenario = scenario("navion", Plane::Lateral, Source::Release, Shape::Step);
-    scenario.disturbance.sizes.released_lateral = [0.1, 0.0, 0.0, 0.0];
+    scenario.disturbance.sizes.released.lateral = [0.1, 0.0, 0.0, 0.0];
     let (motion, _) = motion(&scenario);
     // At release nothing turns yet: n_y g = Yv v, the force alone.
     let v = 0.1 * motion.model.trim.speed;
@@ -326,7 +327,7 @@ fn twice_the_disturbance_is_twice_the_motion() {
     {
         for &source in sources {
             let mut scenario = scenario("a4d", plane, source, Shape::Step);
-            scenario.disturbance.choice_mut(plane).control_shape = Shape::Doublet;
+            scenario.disturbance.choices[plane].control_shape = Shape::Doublet;
             let (once, _) = motion(&scenario);
             scenario.disturbance.sizes.times = 2.0;
             let (twice, _) = motion(&scenario);
@@ -342,15 +343,15 @@ fn twice_the_disturbance_is_twice_the_motion() {
 #[test]
 fn every_output_of_a_small_nonlinear_flight_is_the_linear_one() {
     for key in ["navion", "bristol-f2b", "b747-fc9", "x15"] {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             for &source in Source::of(plane) {
                 let mut scenario = scenario(key, plane, source, Shape::Step);
-                scenario.disturbance.choice_mut(plane).control_shape = Shape::Doublet;
-                scenario.disturbance.choice_mut(plane).gust_shape = Shape::OneMinusCosine;
+                scenario.disturbance.choices[plane].control_shape = Shape::Doublet;
+                scenario.disturbance.choices[plane].gust_shape = Shape::OneMinusCosine;
                 scenario.disturbance.sizes.times = 1e-3;
                 scenario.disturbance.sizes.time = 8.0;
                 let analysis = scenario.analyse().expect("an analysis");
-                let Some(Ok(analysed)) = analysis.of(plane) else { continue };
+                let Some(Ok(analysed)) = &analysis.planes[plane] else { continue };
                 let flight = scenario.fly(analysed).expect("a flight");
                 assert_eq!(flight.stop, None, "{key} {source:?}");
                 let motion = analysis.motion.as_ref().expect("a motion");

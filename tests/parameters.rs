@@ -34,7 +34,7 @@ fn keys_are_unique_and_every_row_says_what_it_is() {
 #[test]
 fn names_tell_the_rows_of_a_page_apart() {
     for page in Page::DERIVATIVES {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             let mut names = HashSet::new();
             let shown = |p: &&Parameter| p.page == page && p.plane.is_none_or(|of| of == plane);
             for p in parameters().filter(shown) {
@@ -81,16 +81,16 @@ fn assert_finite(scenario: &Scenario, what: &str) {
 #[test]
 fn every_disturbance_of_every_aircraft_has_a_response() {
     for scenario in scenarios() {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             for &source in Source::of(plane) {
                 let mut edited = scenario.clone();
                 edited.plane = plane;
-                edited.disturbance.choice_mut(plane).source = source;
+                edited.disturbance.choices[plane].source = source;
                 for shape in source.shapes().iter().copied().map(Some).chain([None]) {
                     if let Some(shape) = shape {
-                        *edited.disturbance.choice_mut(plane).shape_mut() = shape;
+                        *edited.disturbance.choices[plane].shape_mut() = shape;
                     }
-                    let choice = *edited.disturbance.choice(plane);
+                    let choice = edited.disturbance.choices[plane];
                     assert_finite(&edited, &choice.text());
                     for key in choice.parameters(plane) {
                         assert!(Parameter::find(key).is_some(), "{key}");

@@ -15,16 +15,13 @@ use nalgebra::Complex;
 fn scenarios() -> Vec<Scenario> {
     let aircraft = embedded_aircraft().0.into_iter().map(Arc::new);
     aircraft
-        .flat_map(|aircraft| {
-            [Plane::Longitudinal, Plane::Lateral]
-                .map(|plane| Scenario { plane, ..Scenario::new(aircraft.clone()) })
-        })
+        .flat_map(|aircraft| Plane::ALL.map(|plane| Scenario { plane, ..Scenario::new(aircraft.clone()) }))
         .filter(|scenario| analysed(scenario).is_some())
         .collect()
 }
 
 fn analysed(scenario: &Scenario) -> Option<PlaneAnalysis> {
-    scenario.analyse().ok()?.of(scenario.plane)?.as_ref().ok().cloned()
+    scenario.analyse().ok()?.planes[scenario.plane].as_ref()?.as_ref().ok().cloned()
 }
 
 fn navion(plane: Plane) -> Scenario {
@@ -39,7 +36,8 @@ fn mode(scenario: &Scenario, name: ModeName) -> Mode {
 
 fn nearest(scenario: &Scenario, to: Complex<f64>) -> f64 {
     let models = scenario.edited.models().expect("models");
-    let values = eigenvalues(&models.of(scenario.plane).expect("a model").a).expect("eigenvalues");
+    let values =
+        eigenvalues(&models.planes[scenario.plane].as_ref().expect("a model").a).expect("eigenvalues");
     values.iter().map(|lambda| (lambda - to).norm()).fold(f64::INFINITY, f64::min)
 }
 

@@ -72,12 +72,12 @@ fn before_the_disturbance_it_flies_on_as_trimmed() {
 #[test]
 fn the_nonlinear_flight_of_a_small_disturbance_is_seen_in_the_same_place() {
     let mut scenario = scenarios().next().expect("the Navion");
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
+    for plane in Plane::ALL {
         scenario.plane = plane;
         scenario.disturbance.sizes.times = 0.01;
         scenario.disturbance.sizes.time = 10.0;
         let analysis = scenario.analyse().expect("an analysis");
-        let analysed = analysis.of(plane).expect("data").as_ref().expect("modes");
+        let analysed = analysis.planes[plane].as_ref().expect("data").as_ref().expect("modes");
         let flight = scenario.fly(analysed).expect("a flight");
         let motion = analysis.motion.as_ref().expect("a motion");
         let linear = Flown { scenario: &scenario, motion, flight: None };
@@ -96,14 +96,14 @@ fn the_nonlinear_flight_of_a_small_disturbance_is_seen_in_the_same_place() {
 #[test]
 fn one_mode_alone_is_exaggerated_by_the_stated_round_factor_and_nothing_else_is() {
     for aircraft in scenarios() {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             let mut scenario = aircraft.clone();
             scenario.plane = plane;
             let usual = scenario.analyse().expect("an analysis");
             if let Some(motion) = &usual.motion {
                 assert_eq!(Flown { scenario: &scenario, motion, flight: None }.exaggeration(), 1.0);
             }
-            scenario.disturbance.choice_mut(plane).source = Source::OneMode;
+            scenario.disturbance.choices[plane].source = Source::OneMode;
             scenario.disturbance.sizes.mode = 0.01;
             let analysis = scenario.analyse().expect("an analysis");
             let Some(motion) = &analysis.motion else { continue };
@@ -128,7 +128,7 @@ fn one_mode_alone_is_exaggerated_by_the_stated_round_factor_and_nothing_else_is(
 fn damping_moments_act_against_the_rates_they_damp() {
     let mut scenario = scenarios().next().expect("the Navion");
     scenario.plane = Plane::Lateral;
-    scenario.disturbance.lateral.source = Source::OneMode;
+    scenario.disturbance.choices.lateral.source = Source::OneMode;
     let analysis = scenario.analyse().expect("an analysis");
     let motion = analysis.motion.as_ref().expect("a motion");
     let flown = Flown { scenario: &scenario, motion, flight: None };

@@ -15,7 +15,7 @@ fn step_of(source: Source) -> Choice {
 fn first_push(source: Source) -> Vector4<f64> {
     let (aircraft, _) = embedded_aircraft();
     let mut scenario = Scenario::new(Arc::new(aircraft.into_iter().next().expect("an aircraft")));
-    scenario.disturbance.longitudinal = step_of(source);
+    scenario.disturbance.choices.longitudinal = step_of(source);
     scenario.disturbance.sizes.time = 12.0;
     let response = scenario.analyse().expect("an analysis").motion.expect("a motion").response;
     response.states[((START + 0.1) / response.dt).round() as usize]
@@ -40,7 +40,7 @@ fn rising_air_lifts_the_aircraft_and_a_stable_one_noses_down_into_it() {
 fn in_steadily_rising_air_the_aircraft_ends_up_rising_with_it() {
     let (aircraft, _) = embedded_aircraft();
     let mut scenario = Scenario::new(Arc::new(aircraft.into_iter().next().expect("an aircraft")));
-    scenario.disturbance.longitudinal = step_of(Source::VerticalGust);
+    scenario.disturbance.choices.longitudinal = step_of(Source::VerticalGust);
     scenario.disturbance.sizes.time = 300.0;
     let response = scenario.analyse().expect("an analysis").motion.expect("a motion").response;
     let end = response.states.last().expect("samples");

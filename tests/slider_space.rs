@@ -48,12 +48,12 @@ proptest! {
                 }
             }
         }
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             scenario.plane = plane;
             match scenario.analyse() {
                 Err(error) => prop_assert!(error.to_string().len() > 20),
                 Ok(analysis) => {
-                    if let Some(Ok(of_plane)) = analysis.of(plane) {
+                    if let Some(Ok(of_plane)) = &analysis.planes[plane] {
                         let roots: usize = of_plane.modes.iter().map(|mode| if mode.is_oscillatory() { 2 } else { 1 }).sum();
                         prop_assert_eq!(roots, 4);
                         prop_assert!(of_plane.modes.iter().flat_map(numbers).all(f64::is_finite));

@@ -23,7 +23,7 @@ fn navion(plane: Plane) -> PlaneModel {
 #[test]
 fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
     for reference in references() {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             match plane_static_stability(&reference.model(plane), None).stiffness {
                 PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
                     assert_eq!(m_w.verdict, Stability::Stable, "{}", reference.id);
@@ -139,7 +139,7 @@ fn stiffnesses_are_the_derivatives_where_there_are_any() {
     row("cm_alpha").set(&mut scenario, -0.14);
     let stability = |scenario: &Scenario, plane: Plane| {
         let analysis = scenario.analyse().expect("an analysis");
-        analysis.of(plane).expect("a plane").as_ref().expect("modes").static_stability
+        analysis.planes[plane].as_ref().expect("a plane").as_ref().expect("modes").static_stability
     };
     let pitch = |scenario: &Scenario| {
         let found = stability(scenario, Plane::Longitudinal);

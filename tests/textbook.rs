@@ -8,7 +8,7 @@ use eigenwing::content::aircraft::{Comparison, PlaneNotes, Quantity, compare};
 use eigenwing::content::{Aircraft, Status, embedded_aircraft};
 use eigenwing::flight::aircraft::plane::Plane;
 
-const PLANES: [Plane; 2] = [Plane::Longitudinal, Plane::Lateral];
+const PLANES: [Plane; 2] = Plane::ALL;
 
 fn all() -> Vec<Aircraft> {
     let (aircraft, errors) = embedded_aircraft();
@@ -19,10 +19,10 @@ fn all() -> Vec<Aircraft> {
 fn comparisons(aircraft: &Aircraft, plane: Plane) -> Option<(&PlaneNotes, Vec<Comparison>)> {
     let models = aircraft.study.models().expect("every shipped aircraft has a steady flight");
     assert!(models.problems.is_empty(), "{}: {:?}", aircraft.key, models.problems);
-    let notes = aircraft.notes_of(plane)?;
+    let notes = aircraft.plane_notes[plane].as_ref()?;
     let model = match plane {
-        Plane::Longitudinal => models.longitudinal,
-        Plane::Lateral => models.lateral,
+        Plane::Longitudinal => models.planes.longitudinal,
+        Plane::Lateral => models.planes.lateral,
     };
     let model = model.expect("a plane with notes has a model");
     Some((notes, compare(&model, &notes.published).expect("the model has eigenvalues")))
@@ -107,7 +107,7 @@ fn every_needed_aircraft_ships_with_its_status() {
         let aircraft = find(key);
         assert_eq!(aircraft.status == Status::Verified, verified, "{key}");
         assert!(!aircraft.status_reason.is_empty() && !aircraft.source.is_empty());
-        assert_eq!(aircraft.lateral_notes.is_some(), !key.starts_with("lesson"), "{key}");
+        assert_eq!(aircraft.plane_notes.lateral.is_some(), !key.starts_with("lesson"), "{key}");
     }
 }
 

@@ -20,7 +20,7 @@ fn aircraft(key: &str) -> Scenario {
 /// What follows for the plane on screen.
 fn analysed(scenario: &Scenario) -> PlaneAnalysis {
     let analysis = scenario.analyse().expect("an analysis");
-    analysis.of(scenario.plane).cloned().expect("the plane").expect("its analysis")
+    analysis.planes[scenario.plane].clone().expect("the plane").expect("its analysis")
 }
 
 fn mode(analysed: &PlaneAnalysis, name: ModeName) -> &Mode {
@@ -81,7 +81,7 @@ fn a_mode_that_the_disturbance_hardly_excites_does_not_lengthen_the_time() {
     let mut scenario = aircraft("navion");
     scenario.plane = Plane::Lateral;
     let after_rudder = followed(scenario.clone());
-    scenario.disturbance.lateral.source = Source::Release;
+    scenario.disturbance.choices.lateral.source = Source::Release;
     let after_release = followed(scenario.clone());
     let period = mode(&analysed(&scenario), ModeName::DutchRoll).period().expect("a period");
     assert!(after_release < 4.0 * period, "{after_release} s, Dutch roll of {period} s");
@@ -93,7 +93,7 @@ fn a_mode_that_the_disturbance_hardly_excites_does_not_lengthen_the_time() {
 fn the_disturbance_is_seen_to_its_end() {
     for lasting in [150.0, 300.0] {
         let mut scenario = aircraft("navion");
-        scenario.disturbance.longitudinal.control_shape = Shape::Sine;
+        scenario.disturbance.choices.longitudinal.control_shape = Shape::Sine;
         set(&mut scenario, "lasting", lasting);
         let time = followed(with_time(scenario, 2.0));
         assert!(time >= lasting.min(299.0) && time <= 300.0, "{time} s of {lasting} s");
@@ -103,9 +103,9 @@ fn the_disturbance_is_seen_to_its_end() {
 #[test]
 fn following_twice_changes_nothing() {
     for scenario in scenarios() {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             let mut scenario = Scenario { plane, ..scenario.clone() };
-            if scenario.aircraft.notes_of(plane).is_some() {
+            if scenario.aircraft.plane_notes[plane].is_some() {
                 scenario.follow(&analysed(&scenario));
                 let settled = scenario.disturbance.sizes.time;
                 assert_eq!(followed(scenario.clone()), settled, "{} {plane:?}", scenario.aircraft.key);
@@ -120,8 +120,8 @@ fn while_a_slider_goes_and_comes_back_the_time_changes_once_each_way_at_most() {
     let speed = Parameter::find("speed").expect("a row");
     let (mut ways, mut still) = (0, 0);
     for aircraft in scenarios().filter(|scenario| speed.applies(scenario)).step_by(2) {
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
-            if aircraft.aircraft.notes_of(plane).is_none() {
+        for plane in Plane::ALL {
+            if aircraft.aircraft.plane_notes[plane].is_none() {
                 continue;
             }
             let mut scenario = Scenario { plane, ..aircraft.clone() };
@@ -132,7 +132,7 @@ fn while_a_slider_goes_and_comes_back_the_time_changes_once_each_way_at_most() {
                 speed.set(&mut scenario, reference * (1.0 - 0.01 * f64::from(step)));
                 // Beyond what the source says of the air there is nothing to follow.
                 let Ok(analysis) = scenario.analyse() else { continue };
-                let Some(Ok(analysed)) = analysis.of(plane) else { continue };
+                let Some(Ok(analysed)) = &analysis.planes[plane] else { continue };
                 let before = scenario.disturbance.sizes.time;
                 scenario.follow(analysed);
                 changes += usize::from(scenario.disturbance.sizes.time != before);
@@ -159,7 +159,7 @@ fn a_time_that_is_set_stays() {
 #[test]
 fn where_nothing_moves_the_time_stays() {
     let mut scenario = aircraft("lesson");
-    scenario.disturbance.longitudinal.source = Source::Throttle;
+    scenario.disturbance.choices.longitudinal.source = Source::Throttle;
     assert_eq!(scenario.time_to_see(&analysed(&scenario)), None);
     assert_eq!(followed(with_time(scenario, 7.0)), 7.0);
 }

@@ -421,10 +421,10 @@ fn the_embedded_fonts_have_every_character_of_every_text() {
         );
         texts.extend(aircraft.notes.iter().cloned());
         let mut scenario = eigenwing::scenario::Scenario::new(std::sync::Arc::new(aircraft));
-        for plane in [Plane::Longitudinal, Plane::Lateral] {
+        for plane in Plane::ALL {
             scenario.plane = plane;
             let analysis = scenario.analyse().expect("an analysis");
-            let Some(Ok(of_plane)) = analysis.of(plane) else { continue };
+            let Some(Ok(of_plane)) = &analysis.planes[plane] else { continue };
             texts.extend(of_plane.modes.iter().map(|mode| mode.naming.reason.clone()));
             texts.extend(of_plane.levels.iter().map(|verdict| verdict.sentence()));
             for approximation in &of_plane.approximations {
@@ -455,11 +455,11 @@ fn a_mode_is_flown_alone_from_its_card_and_given_up_again() {
     harness.get_by_label("Fly the Phugoid alone").click();
     harness.run_steps(4);
     harness.get_by_label("Pause");
-    let choice = app(&harness).scenario().disturbance.longitudinal;
+    let choice = app(&harness).scenario().disturbance.choices.longitudinal;
     assert_eq!((choice.source, choice.mode), (Source::OneMode, 1));
     harness.get_by_label("Stop flying the Phugoid alone").click();
     harness.run();
-    assert_eq!(app(&harness).scenario().disturbance.longitudinal.source, Source::Elevator);
+    assert_eq!(app(&harness).scenario().disturbance.choices.longitudinal.source, Source::Elevator);
 }
 
 #[test]

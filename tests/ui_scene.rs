@@ -203,7 +203,7 @@ fn what_disturbed_before_a_mode_was_flown_survives_undo() {
 fn a_mode_is_flown_on_where_its_place_changes() {
     let mut harness = page("v=1&ac=navion&lon.source=mode&lon.mode=2&pin.ac=navion");
     let name = |harness: &mut Page| {
-        let choice = app(harness).scenario().disturbance.longitudinal;
+        let choice = app(harness).scenario().disturbance.choices.longitudinal;
         app(harness).plane().expect("an analysis").modes[choice.mode].naming.name
     };
     assert_eq!(name(&mut harness), ModeName::Phugoid);

@@ -2,7 +2,7 @@
 
 pub use super::published::{Comparison, Published, PublishedMode, Quantity, compare};
 pub use super::reader::ContentError;
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::ByPlane;
 use crate::flight::aircraft::study::Study;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
@@ -27,10 +27,8 @@ pub struct Aircraft {
     pub source: String,
     /// Everything a person may edit, at the source's values.
     pub study: Study,
-    /// What is known of the longitudinal data.
-    pub longitudinal_notes: PlaneNotes,
-    /// What is known of the lateral data, where there are any.
-    pub lateral_notes: Option<PlaneNotes>,
+    /// What is known of the data of each plane, where there are any.
+    pub plane_notes: ByPlane<Option<PlaneNotes>>,
     /// Mass and geometry as far as the source has them, SI, for drawing and reading; the study computes with its own.
     pub particulars: Particulars,
     /// Class of MIL-F-8785C, our assignment.
@@ -130,18 +128,7 @@ impl Aircraft {
         match &self.study {
             Study::Coefficients(study) => study.reference.condition.speed,
             Study::Derivatives(study) => study.trim.speed,
-            Study::Matrices(study) => {
-                let models = [&study.longitudinal, &study.lateral];
-                models.into_iter().flatten().next().map_or(1.0, |model| model.trim.speed)
-            }
-        }
-    }
-
-    /// What is known of the data of a plane.
-    pub fn notes_of(&self, plane: Plane) -> Option<&PlaneNotes> {
-        match plane {
-            Plane::Longitudinal => Some(&self.longitudinal_notes),
-            Plane::Lateral => self.lateral_notes.as_ref(),
+            Study::Matrices(study) => study.iter().flatten().next().map_or(1.0, |model| model.trim.speed),
         }
     }
 }

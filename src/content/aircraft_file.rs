@@ -8,7 +8,7 @@ use super::published::read_published;
 use super::reader::{Block, ContentError};
 use super::shapes::{SHAPES, USUAL_SHAPE};
 use super::units::UnitSystem;
-use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
@@ -43,8 +43,10 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
 
     let mut longitudinal = file.block("longitudinal")?;
     let mut lateral = file.optional_block("lateral")?;
-    let longitudinal_notes = read_notes(&mut longitudinal, &source)?;
-    let lateral_notes = lateral.as_mut().map(|block| read_notes(block, &source)).transpose()?;
+    let plane_notes = ByPlane {
+        longitudinal: Some(read_notes(&mut longitudinal, &source)?),
+        lateral: lateral.as_mut().map(|block| read_notes(block, &source)).transpose()?,
+    };
     let (study, particulars, data_notes) = match basis {
         Basis::Coefficients => coefficient_study(file, units, &mut longitudinal, lateral.as_mut())?,
         Basis::Derivatives => derivative_study(file, units, &mut longitudinal, lateral.as_mut())?,
@@ -57,11 +59,10 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     if let Some(problem) = models.problems.first() {
         return Err(file.error_here(problem));
     }
-    if models.longitudinal.is_none() {
+    if models.planes.longitudinal.is_none() {
         return Err(longitudinal.error_here("no model follows from it"));
     }
-    let planes = || [Some(&longitudinal_notes), lateral_notes.as_ref()].into_iter().flatten();
-    let verified = planes().all(|plane| plane.status == Status::Verified);
+    let verified = plane_notes.iter().flatten().all(|plane| plane.status == Status::Verified);
     Ok(Aircraft {
         key,
         name,
@@ -69,11 +70,10 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         shape,
         length_unit: LengthUnit::Metre,
         status: if verified { Status::Verified } else { Status::Unverified },
-        status_reason: joined(planes().map(|plane| plane.status_reason.as_str())),
+        status_reason: joined(plane_notes.iter().flatten().map(|plane| plane.status_reason.as_str())),
         source,
         study,
-        longitudinal_notes,
-        lateral_notes,
+        plane_notes,
         particulars,
         class,
         phase,
@@ -138,11 +138,8 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let b = Matrix4x2::from_columns(&[b_elevator, Vector4::zeros()]);
     let trim = Trim { speed: u0 * l, alpha0: 0.0, gamma0: 0.0, gravity: STANDARD_GRAVITY };
     let model = PlaneModel { plane: Plane::Longitudinal, a, b, trim };
-    if let Some(problem) = (Study::Matrices(MatrixStudy { longitudinal: Some(model.clone()), lateral: None }))
-        .models()
-        .ok()
-        .and_then(|models| models.problems.first().copied())
-    {
+    let study = Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None });
+    if let Some(problem) = study.models().ok().and_then(|models| models.problems.first().copied()) {
         return Err(block.error("a", problem));
     }
     Ok(Aircraft {
@@ -152,16 +149,18 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         shape,
         length_unit,
         status,
-        longitudinal_notes: PlaneNotes {
-            status,
-            status_reason: status_reason.clone(),
-            source: source.clone(),
-            published: Vec::new(),
+        plane_notes: ByPlane {
+            longitudinal: Some(PlaneNotes {
+                status,
+                status_reason: status_reason.clone(),
+                source: source.clone(),
+                published: Vec::new(),
+            }),
+            lateral: None,
         },
         status_reason,
         source,
-        study: Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }),
-        lateral_notes: None,
+        study,
         particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },
         class: None,
         phase: None,

@@ -35,7 +35,7 @@ impl AircraftReport {
     pub fn of(aircraft: &Aircraft) -> Self {
         let name_of = |status| Status::NAMES.iter().find(|(_, s)| *s == status).map_or("", |(name, _)| name);
         let models = aircraft.study.models().unwrap_or_default();
-        let planes = [Plane::Longitudinal, Plane::Lateral];
+        let planes = Plane::ALL;
         Self {
             key: aircraft.key.clone(),
             name: aircraft.name.clone(),
@@ -49,7 +49,11 @@ impl AircraftReport {
             phase: aircraft
                 .phase
                 .and_then(|phase| Category::NAMES.iter().find(|(_, c)| *c == phase).map(|&(name, _)| name)),
-            planes: planes.into_iter().filter(|plane| models.of(*plane).is_some()).map(plane_name).collect(),
+            planes: planes
+                .into_iter()
+                .filter(|plane| models.planes[*plane].is_some())
+                .map(plane_name)
+                .collect(),
         }
     }
 }

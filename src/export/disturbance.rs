@@ -63,11 +63,11 @@ pub(super) fn choose_disturbance(
         scenario.plane = *of_plane.ok_or_else(|| {
             ExportError::Request(format!("{name} doesn't disturb {} motion", plane_name(planes[0])))
         })?;
-        scenario.disturbance.choice_mut(scenario.plane).source = source;
+        scenario.disturbance.choices[scenario.plane].source = source;
     } else {
         scenario.plane = planes[0];
     }
-    let source = scenario.disturbance.choice(scenario.plane).source;
+    let source = scenario.disturbance.choices[scenario.plane].source;
     Ok((name_of(source, &DISTURBANCES), source))
 }
 
@@ -77,7 +77,7 @@ pub(super) fn choose_shape(
     name: Option<&str>,
     disturbance: &str,
 ) -> Result<Option<&'static str>, ExportError> {
-    let choice = scenario.disturbance.choice_mut(scenario.plane);
+    let choice = &mut scenario.disturbance.choices[scenario.plane];
     if let Some(name) = name {
         let (_, shape) = named(name, &SHAPES, "shape")?;
         let shapes = choice.source.shapes();
@@ -107,9 +107,11 @@ pub(super) fn choose_mode(
         };
     }
     let analysis = scenario.analyse()?;
-    let Some(Ok(of_plane)) = analysis.of(scenario.plane) else { return Err(no_motion(scenario, &analysis)) };
+    let Some(Ok(of_plane)) = &analysis.planes[scenario.plane] else {
+        return Err(no_motion(scenario, &analysis));
+    };
     let names: Vec<&'static str> = of_plane.modes.iter().map(|mode| mode.naming.name.text()).collect();
-    let choice = scenario.disturbance.choice_mut(scenario.plane);
+    let choice = &mut scenario.disturbance.choices[scenario.plane];
     if let Some(name) = name {
         choice.mode = names.iter().position(|known| known.eq_ignore_ascii_case(name)).ok_or_else(|| {
             let names = names.join("\", \"");
@@ -121,14 +123,14 @@ pub(super) fn choose_mode(
 
 /// Why nothing moves: the plane has no data, or its data no model.
 pub(super) fn no_motion(scenario: &Scenario, analysis: &Analysis) -> ExportError {
-    match analysis.of(scenario.plane) {
+    match &analysis.planes[scenario.plane] {
         Some(Err(error)) => error.clone().into(),
         _ => ExportError::NoPlane { aircraft: scenario.aircraft.key.clone(), plane: scenario.plane },
     }
 }
 
 fn plane_named(name: &str) -> Result<Plane, ExportError> {
-    let planes = [Plane::Longitudinal, Plane::Lateral].map(|plane| (plane_name(plane), plane));
+    let planes = Plane::ALL.map(|plane| (plane_name(plane), plane));
     named(name, &planes, "plane").map(|(_, plane)| plane)
 }
 

@@ -67,7 +67,7 @@ impl FiguresReport {
             values.truncate(samples);
             values
         };
-        let source = scenario.disturbance.choice(plane).source;
+        let source = scenario.disturbance.choices[plane].source;
         // What has no shape of its own to begin with disturbs from the first sample on.
         let start = if source.shapes().is_empty() { 0.0 } else { START };
         let load = match plane {

@@ -117,7 +117,7 @@ pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<Freque
         return Err(ExportError::Request(format!("points: expected 2 to {MOST_POINTS}, found {points}")));
     }
     let analysis = scenario.analyse()?;
-    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, analysis.of(plane)) else {
+    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, &analysis.planes[plane]) else {
         return Err(no_motion(&scenario, &analysis));
     };
     let range = checked_range(request, frequency_range(&analysed.modes))?;
@@ -157,7 +157,7 @@ impl GainPeak {
 }
 
 fn output_named(name: &str) -> Result<Output, ExportError> {
-    let outputs = [Plane::Longitudinal, Plane::Lateral].into_iter().flat_map(Output::of);
+    let outputs = Plane::ALL.into_iter().flat_map(Output::of);
     let table: Vec<(&str, Output)> = outputs.map(|&output| (Quantity::of(output).key, output)).collect();
     named(name, &table, "output").map(|(_, output)| output)
 }

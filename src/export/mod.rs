@@ -55,7 +55,7 @@ pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) ->
     json!({
         "aircraft": scenario.aircraft.key,
         "plane": plane_name(scenario.plane),
-        "disturbance": scenario.disturbance.choice(scenario.plane).text(),
+        "disturbance": scenario.disturbance.choices[scenario.plane].text(),
         "parameters": parameters,
         "analysis": match analysis {
             Ok(analysis) => of_analysis(analysis),
@@ -65,7 +65,7 @@ pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) ->
 }
 
 fn of_analysis(analysis: &Analysis) -> Value {
-    let of = |plane: Plane| match analysis.of(plane)? {
+    let of = |plane: Plane| match analysis.planes[plane].as_ref()? {
         Ok(plane) => Some(of_plane(plane)),
         Err(error) => Some(of_error(error)),
     };

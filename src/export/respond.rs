@@ -104,7 +104,7 @@ pub fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseR
         return Err(ExportError::Request(problem));
     }
     let analysis = analyse(&scenario.edited, None, &experiment)?;
-    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, analysis.of(plane)) else {
+    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, &analysis.planes[plane]) else {
         return Err(no_motion(&scenario, &analysis));
     };
 
@@ -148,7 +148,7 @@ fn figures(
     } else {
         analysis
     };
-    match (&analysis.motion, analysis.of(scenario.plane)) {
+    match (&analysis.motion, &analysis.planes[scenario.plane]) {
         (Some(motion), Some(Ok(analysed))) => Ok(FiguresReport::of(scenario, motion, &analysed.modes)),
         _ => Err(no_motion(scenario, analysis)),
     }

@@ -134,11 +134,7 @@ impl Subject {
     /// The aircraft with its parameters set.
     pub fn scenario(&self) -> Result<Scenario, ExportError> {
         let aircraft = self.source.aircraft()?;
-        let is_lateral = aircraft.study.models()?.longitudinal.is_none();
         let mut scenario = Scenario::new(Arc::new(aircraft));
-        if is_lateral {
-            scenario.plane = Plane::Lateral;
-        }
         let mut settings = self
             .set
             .iter()

@@ -195,7 +195,7 @@ impl Sweep {
         let is_of = |problem: &&StudyError| problem.plane().is_none_or(|plane| self.planes.contains(&plane));
         let mut error = models.problems.iter().find(is_of).map(ToString::to_string);
         let mut of = |plane: Plane| {
-            let model = models.of(plane).filter(|_| self.planes.contains(&plane))?;
+            let model = models.planes[plane].as_ref().filter(|_| self.planes.contains(&plane))?;
             match sweep_plane(model, &moved.edited) {
                 Ok(plane) => Some(plane),
                 Err(problem) => {
@@ -302,12 +302,12 @@ fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) 
     let at = [from, 0.5 * (from + to), to].map(|value| moved(scenario, parameter, value).edited.models());
     let is_moved = |plane: &Plane| match &at {
         [Ok(first), Ok(second), Ok(third)] => {
-            let a = [first, second, third].map(|models| models.of(*plane).map(|model| model.a));
+            let a = [first, second, third].map(|models| models.planes[*plane].as_ref().map(|model| model.a));
             a[0] != a[1] || a[1] != a[2]
         }
         _ => true,
     };
-    [Plane::Longitudinal, Plane::Lateral].into_iter().filter(is_moved).collect()
+    Plane::ALL.into_iter().filter(is_moved).collect()
 }
 
 fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String> {

@@ -4,7 +4,7 @@ use nalgebra::Vector4;
 use thiserror::Error;
 
 use super::aircraft::edits::{Edited, Offsets};
-use super::aircraft::plane::{Plane, PlaneModel};
+use super::aircraft::plane::{ByPlane, Plane, PlaneModel};
 use super::aircraft::states::Longitudinal::{Theta, U};
 use super::aircraft::study::{Derived, Models, Study, StudyError};
 use super::modes::approximations::{Approximation, approximations};
@@ -99,10 +99,8 @@ impl Motion {
 /// Everything that follows from an edited study and an experiment. Nothing here is saved: it can always be had again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Analysis {
-    /// Longitudinal motion, or why there is none; `None` where the aircraft has no data of it.
-    pub longitudinal: Option<Result<PlaneAnalysis, AnalysisError>>,
-    /// Lateral–directional motion, likewise.
-    pub lateral: Option<Result<PlaneAnalysis, AnalysisError>>,
+    /// Motion in each plane, or why there is none; `None` where the aircraft has no data of it.
+    pub planes: ByPlane<Option<Result<PlaneAnalysis, AnalysisError>>>,
     /// How far the neutral and the manoeuvre point lie behind the centre of gravity, where coefficients say so.
     pub margins: Option<Margins>,
     /// Gravity beside speed, to catch mixed units; of the longitudinal model.
@@ -125,16 +123,6 @@ pub enum AnalysisError {
     TrimSpeed(f64),
 }
 
-impl Analysis {
-    /// What follows for a plane; `None` where the aircraft has no data of it.
-    pub fn of(&self, plane: Plane) -> Option<&Result<PlaneAnalysis, AnalysisError>> {
-        match plane {
-            Plane::Longitudinal => self.longitudinal.as_ref(),
-            Plane::Lateral => self.lateral.as_ref(),
-        }
-    }
-}
-
 /// Analyses one aircraft in one experiment. Pure and total: equal arguments give equal answers; what can't be analysed is an
 /// error with a sentence, and leaves the other plane alone.
 pub fn analyse(
@@ -142,21 +130,19 @@ pub fn analyse(
     task: Option<Task>,
     experiment: &Experiment,
 ) -> Result<Analysis, AnalysisError> {
-    let Models { longitudinal, lateral, problems } = edited.models()?;
-    let gravity = longitudinal.as_ref().and_then(gravity_check);
+    let Models { mut planes, problems } = edited.models()?;
+    let gravity = planes.longitudinal.as_ref().and_then(gravity_check);
     let problem = |plane: Plane| problems.iter().copied().find(|problem| problem.plane() == Some(plane));
-    let plane = |model: Option<PlaneModel>, plane: Plane| match model {
-        Some(model) => Some(analyse_plane(model, edited, task)),
-        None => problem(plane).map(|problem| Err(problem.into())),
-    };
     let mut analysis = Analysis {
-        longitudinal: plane(longitudinal, Plane::Longitudinal),
-        lateral: plane(lateral, Plane::Lateral),
+        planes: ByPlane::from_fn(|plane| match planes[plane].take() {
+            Some(model) => Some(analyse_plane(model, edited, task)),
+            None => problem(plane).map(|problem| Err(problem.into())),
+        }),
         margins: margins(edited),
         gravity,
         motion: None,
     };
-    if let Some(Ok(disturbed)) = analysis.of(experiment.plane) {
+    if let Some(Ok(disturbed)) = &analysis.planes[experiment.plane] {
         analysis.motion = Some(motion(edited, disturbed, experiment));
     }
     Ok(analysis)
@@ -220,7 +206,7 @@ fn margins(edited: &Edited) -> Option<Margins> {
     let Study::Coefficients(study) = &edited.study else { return None };
     let untouched = Offsets::default();
     if edited.offsets.longitudinal != untouched.longitudinal
-        || edited.offsets.longitudinal_matrices != untouched.longitudinal_matrices
+        || edited.offsets.matrices.longitudinal != untouched.matrices.longitudinal
     {
         return None;
     }

@@ -1,6 +1,6 @@
 //! The disturbances a person can choose: what moves, in which shape, and how strongly, each remembered.
 
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::inputs::Input;
 use crate::flight::{Channel, Start};
 
@@ -84,10 +84,8 @@ pub struct Sizes {
     pub turbulence: f64,
     /// Which sample of turbulence: a whole number.
     pub seed: f64,
-    /// Released with u, α, q, θ away from steady flight \[m/s, rad, rad/s, rad\].
-    pub released_longitudinal: [f64; 4],
-    /// Released with β, p, r, φ away from steady flight \[rad, rad/s, rad/s, rad\].
-    pub released_lateral: [f64; 4],
+    /// Released so far from steady flight: u, α, q, θ \[m/s, rad, rad/s, rad\] and β, p, r, φ \[rad, rad/s, rad/s, rad\].
+    pub released: ByPlane<[f64; 4]>,
     /// Size of one mode alone: its flow angle or attitude, whichever is larger \[rad\].
     pub mode: f64,
     /// All of the above times this, to leave the small disturbances of the linear model.
@@ -112,10 +110,8 @@ pub struct Choice {
 /// A disturbance of each plane and its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disturbance {
-    /// What disturbs longitudinal motion.
-    pub longitudinal: Choice,
-    /// What disturbs lateral motion.
-    pub lateral: Choice,
+    /// What disturbs each plane.
+    pub choices: ByPlane<Choice>,
     /// How strongly, and for how long.
     pub sizes: Sizes,
     /// Whether the time shown follows the slowest mode that is seen, or stays as a person has set it.
@@ -266,8 +262,10 @@ impl Default for Disturbance {
             mode: 0,
         };
         Self {
-            longitudinal: choice(Source::Elevator, Shape::Step),
-            lateral: choice(Source::Rudder, Shape::Pulse),
+            choices: ByPlane {
+                longitudinal: choice(Source::Elevator, Shape::Step),
+                lateral: choice(Source::Rudder, Shape::Pulse),
+            },
             sizes: Sizes::default(),
             follows: true,
         }
@@ -292,8 +290,10 @@ impl Default for Sizes {
             gust_length: 2.0,
             turbulence: 1.0,
             seed: 1.0,
-            released_longitudinal: [0.0, 2_f64.to_radians(), 0.0, 0.0],
-            released_lateral: [5_f64.to_radians(), 0.0, 0.0, 0.0],
+            released: ByPlane {
+                longitudinal: [0.0, 2_f64.to_radians(), 0.0, 0.0],
+                lateral: [5_f64.to_radians(), 0.0, 0.0, 0.0],
+            },
             mode: 5_f64.to_radians(),
             times: 1.0,
             time: 60.0,
@@ -302,25 +302,9 @@ impl Default for Sizes {
 }
 
 impl Disturbance {
-    /// What disturbs a plane.
-    pub const fn choice(&self, plane: Plane) -> &Choice {
-        match plane {
-            Plane::Longitudinal => &self.longitudinal,
-            Plane::Lateral => &self.lateral,
-        }
-    }
-
-    /// What disturbs a plane, to change.
-    pub const fn choice_mut(&mut self, plane: Plane) -> &mut Choice {
-        match plane {
-            Plane::Longitudinal => &mut self.longitudinal,
-            Plane::Lateral => &mut self.lateral,
-        }
-    }
-
     /// The control or gust that moves, with its shape in time; none in turbulence, released or in one mode.
     pub fn input(&self, plane: Plane) -> Option<(Channel, Input)> {
-        let choice = self.choice(plane);
+        let choice = &self.choices[plane];
         let shape = choice.shape()?;
         let sizes = &self.sizes;
         let (channel, size) = match (choice.source, shape) {
@@ -358,15 +342,9 @@ impl Disturbance {
 
     /// How the motion of a plane begins.
     pub fn start(&self, plane: Plane) -> Start {
-        let (choice, sizes) = (self.choice(plane), &self.sizes);
+        let (choice, sizes) = (self.choices[plane], &self.sizes);
         match choice.source {
-            Source::Release => {
-                let released = match plane {
-                    Plane::Longitudinal => sizes.released_longitudinal,
-                    Plane::Lateral => sizes.released_lateral,
-                };
-                Start::Released(released.map(|x| x * sizes.times))
-            }
+            Source::Release => Start::Released(sizes.released[plane].map(|x| x * sizes.times)),
             Source::OneMode => Start::Mode { index: choice.mode, amplitude: sizes.mode * sizes.times },
             _ => Start::Rest,
         }

@@ -29,7 +29,7 @@ impl Scenario {
         let disturbance = &self.disturbance;
         let plane = self.plane;
         let duration = disturbance.sizes.time;
-        let (steps, inputs) = if disturbance.choice(plane).source == Source::Turbulence {
+        let (steps, inputs) = if disturbance.choices[plane].source == Source::Turbulence {
             // Samples of the motion fall on those of the air.
             let steps = (duration / TURBULENCE_STEP).round().max(1.0);
             (steps as usize, self.turbulence(steps as usize + 1))
@@ -72,7 +72,7 @@ impl Scenario {
 
     /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of.
     pub fn driven_channel(&self) -> Channel {
-        if self.disturbance.choice(self.plane).source == Source::Turbulence {
+        if self.disturbance.choices[self.plane].source == Source::Turbulence {
             return Channel::AirAcross;
         }
         self.disturbance.input(self.plane).map_or(Channel::First, |(channel, _)| channel)

@@ -53,20 +53,24 @@ impl PartialEq for Scenario {
 }
 
 impl Scenario {
-    /// An aircraft as its file has it, put through the first disturbance a person sees.
+    /// An aircraft as its file has it, put through the first disturbance a person sees, in the first plane it has data of.
     pub fn new(aircraft: Arc<Aircraft>) -> Self {
+        let has_longitudinal = aircraft.plane_notes.longitudinal.is_some();
         Self {
             edited: Edited::new(aircraft.study.clone()),
             aircraft,
-            plane: Plane::Longitudinal,
+            plane: if has_longitudinal { Plane::Longitudinal } else { Plane::Lateral },
             disturbance: Disturbance::default(),
         }
     }
 
     /// The same disturbance with another aircraft.
     pub fn with_aircraft(&self, aircraft: Arc<Aircraft>) -> Self {
-        let plane = if aircraft.notes_of(self.plane).is_some() { self.plane } else { Plane::Longitudinal };
-        Self { disturbance: self.disturbance, plane, ..Self::new(aircraft) }
+        let mut scenario = Self { disturbance: self.disturbance, ..Self::new(aircraft) };
+        if scenario.aircraft.plane_notes[self.plane].is_some() {
+            scenario.plane = self.plane;
+        }
+        scenario
     }
 
     /// The same aircraft and disturbance with every derivative back at its reference.

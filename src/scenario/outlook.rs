@@ -67,7 +67,7 @@ impl Scenario {
     fn matrix_at(&self, parameter: &Parameter, value: f64) -> Option<Matrix4<f64>> {
         let mut moved = self.clone();
         parameter.set(&mut moved, value);
-        Some(moved.edited.models().ok()?.of(self.plane)?.a)
+        Some(moved.edited.models().ok()?.planes[self.plane].as_ref()?.a)
     }
 
     /// The path of the poles along the whole range of a parameter's slider.

@@ -126,7 +126,7 @@ impl Scenario {
         };
         let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
         let with = |values: &[f64]| self.with_values(&chosen, &adjustables, values);
-        let model = &|values: &[f64]| Some(with(values).edited.models().ok()?.of(self.plane)?.a);
+        let model = &|values: &[f64]| Some(with(values).edited.models().ok()?.planes[self.plane].as_ref()?.a);
         let (placement, lost) = placed_by_the_same_pole(model, &adjustables, mode.lambda, wanted)?;
         let scenario = with(&placement.values);
         let obstacle = placement

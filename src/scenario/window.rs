@@ -68,7 +68,7 @@ impl Scenario {
     /// Time in which the slowest visible mode is seen, and the disturbance to its end \[s\]; `None` where nothing is visible.
     pub fn time_to_see(&self, analysed: &PlaneAnalysis) -> Option<f64> {
         let modes = &analysed.modes;
-        let choice = self.disturbance.choice(self.plane);
+        let choice = &self.disturbance.choices[self.plane];
         if choice.source == Source::OneMode {
             return modes.get(choice.mode).or(modes.last()).map(seen_in);
         }

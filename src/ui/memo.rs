@@ -32,7 +32,10 @@ pub struct Followed {
 impl Followed {
     fn of(scenario: &Scenario, page: Page) -> Self {
         let analysis = scenario.analyse();
-        let plane = analysis.as_ref().ok().and_then(|analysis| analysis.of(scenario.plane)?.as_ref().ok());
+        let plane = analysis
+            .as_ref()
+            .ok()
+            .and_then(|analysis| analysis.planes[scenario.plane].as_ref()?.as_ref().ok());
         let sensitivities = plane.map_or_else(Vec::new, |plane| scenario.sensitivities(plane, page));
         Self { analysis, sensitivities, coefficients: scenario.coefficients_in_effect() }
     }
@@ -70,7 +73,7 @@ impl Memo {
     /// What followed for the plane on screen, where all went well.
     pub fn plane(&self) -> Option<&PlaneAnalysis> {
         let (scenario, _, followed) = self.of.as_ref()?;
-        followed.analysis.as_ref().ok()?.of(scenario.plane)?.as_ref().ok()
+        followed.analysis.as_ref().ok()?.planes[scenario.plane].as_ref()?.as_ref().ok()
     }
 
     /// The motion that followed, where there is one.

@@ -95,7 +95,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 /// The status of the plane on screen.
 fn status_ui(ui: &mut Ui, scenario: &Scenario) {
     let palette = Palette::of(ui);
-    let Some(notes) = scenario.aircraft.notes_of(scenario.plane) else { return };
+    let Some(notes) = &scenario.aircraft.plane_notes[scenario.plane] else { return };
     let (text, color) = match notes.status {
         Status::Verified => ("✓ verified", palette.good),
         Status::Unverified => ("unverified", palette.warning),
@@ -106,9 +106,9 @@ fn status_ui(ui: &mut Ui, scenario: &Scenario) {
 /// Longitudinal or lateral–directional, where the aircraft has both.
 fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
-    bar.scenario.aircraft.lateral_notes.as_ref()?;
+    bar.scenario.aircraft.plane_notes.lateral.as_ref()?;
     let words = if bar.narrow { ["Long.", "Lateral"] } else { ["Longitudinal", "Lateral–directional"] };
-    for (plane, text) in [Plane::Longitudinal, Plane::Lateral].into_iter().zip(words) {
+    for (plane, text) in Plane::ALL.into_iter().zip(words) {
         if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
             action = Some(Action::Turn(plane));
         }

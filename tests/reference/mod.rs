@@ -64,9 +64,7 @@ pub fn reference(id: &str) -> Reference {
 
 /// Every reference aircraft in both planes, with its name.
 pub fn all_models() -> Vec<(String, PlaneModel)> {
-    let both = |r: &Reference| {
-        [Plane::Longitudinal, Plane::Lateral].map(|plane| (format!("{} {plane:?}", r.id), r.model(plane)))
-    };
+    let both = |r: &Reference| Plane::ALL.map(|plane| (format!("{} {plane:?}", r.id), r.model(plane)));
     references().iter().flat_map(both).collect()
 }
 

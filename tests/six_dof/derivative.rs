@@ -52,7 +52,7 @@ fn assert_linear_model_is_the_derivative(key: &str, edited: &Edited) {
         let a: Matrix4<f64> = jacobian.a.fixed_view::<4, 4>(at, at).into_owned();
         let b = jacobian.b.fixed_view::<4, 2>(at, at / 2).into_owned();
         let gust: Vector4<f64> = jacobian.wind.fixed_view::<4, 1>(at, wind).into_owned();
-        if let Some(model) = models.of(plane) {
+        if let Some(model) = &models.planes[plane] {
             assert_same(&format!("{key}, {plane:?}, A"), &a, &model.a);
             assert_same(&format!("{key}, {plane:?}, B"), &b, &model.b);
             assert_same(&format!("{key}, {plane:?}, gust"), &gust, &gust_column(model));
@@ -121,8 +121,8 @@ fn with_offsets(mut edited: Edited) -> Edited {
     for (k, row) in LATERAL_DERIVATIVES.iter().enumerate() {
         *(row.field.of)(&mut offsets.lateral) = 0.02 * (k as f64 - 4.0);
     }
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
-        let matrices = offsets.matrices_mut(plane);
+    for plane in Plane::ALL {
+        let matrices = &mut offsets.matrices[plane];
         matrices.a.iter_mut().enumerate().for_each(|(k, entry)| *entry = 0.03 * (k as f64 - 7.0));
         matrices.b.iter_mut().enumerate().for_each(|(k, entry)| *entry = 0.05 * (k as f64 - 3.0));
     }

@@ -202,8 +202,8 @@ proptest! {
             study.condition = FlightCondition { altitude, speed, gamma0 };
         }
         for (k, entry) in entries.into_iter().enumerate() {
-            edited.offsets.longitudinal_matrices.a[k] = gain * entry;
-            edited.offsets.lateral_matrices.a[k] = gain * entry;
+            edited.offsets.matrices.longitudinal.a[k] = gain * entry;
+            edited.offsets.matrices.lateral.a[k] = gain * entry;
         }
         let Ok(flight) = SixDof::new(&edited) else { return Ok(()) };
         let [elevator, throttle, aileron, rudder] = controls;

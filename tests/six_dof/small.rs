@@ -14,7 +14,7 @@ impl Entry {
     /// The linear model's response to the same.
     fn respond(self, edited: &Edited, size: f64, grid: TimeGrid) -> Vec<Vector4<f64>> {
         let models = edited.models().expect("it flies");
-        let model = models.of(self.plane()).expect("both planes");
+        let model = models.planes[self.plane()].as_ref().expect("both planes");
         let column = match self {
             Self::Elevator | Self::Aileron => model.b.column(0).into_owned(),
             Self::Throttle | Self::Rudder => model.b.column(1).into_owned(),
@@ -118,9 +118,9 @@ fn an_initial_displacement_is_that_of_the_linear_model() {
     let models = edited.models().expect("it flies");
     for (k, sample) in path.samples.iter().enumerate() {
         let free = |model: &PlaneModel, x: [f64; 4]| (model.a * k as f64).exp() * Vector4::from(x);
-        let want = free(models.longitudinal.as_ref().expect("longitudinal"), x);
+        let want = free(models.planes.longitudinal.as_ref().expect("longitudinal"), x);
         assert!((sample.longitudinal - want).amax() < 1e-5, "{k}");
-        let want = free(models.lateral.as_ref().expect("lateral"), y);
+        let want = free(models.planes.lateral.as_ref().expect("lateral"), y);
         assert!((sample.lateral - want).amax() < 1e-5, "{k}");
     }
 }

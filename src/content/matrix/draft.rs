@@ -6,7 +6,7 @@ use nalgebra::{Matrix4, Matrix4x2};
 use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
 use crate::content::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
 use crate::content::units::UnitSystem;
-use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 
@@ -189,10 +189,9 @@ impl Draft {
         }
         self.check_kinematics(plane, &a)?;
         let model = PlaneModel { plane, a, b, trim };
-        let study = Study::Matrices(match plane {
-            Plane::Longitudinal => MatrixStudy { longitudinal: Some(model), lateral: None },
-            Plane::Lateral => MatrixStudy { longitudinal: None, lateral: Some(model) },
-        });
+        let mut models = MatrixStudy::default();
+        models[plane] = Some(model);
+        let study = Study::Matrices(models);
         let line = self.find("A").map_or(1, |entry| entry.line);
         let models = study.models().map_err(|problem| (line, problem.to_string()))?;
         if let Some(problem) = models.problems.first() {
@@ -328,12 +327,13 @@ impl Draft {
 
 fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> Aircraft {
     let status_reason = "Bare matrices from a file: there are no published modes to compare with.".to_owned();
-    let notes = |source: String, published_reason: String| PlaneNotes {
+    let mut plane_notes = ByPlane::default();
+    plane_notes[plane] = Some(PlaneNotes {
         status: Status::Unverified,
-        status_reason: published_reason,
-        source,
+        status_reason: status_reason.clone(),
+        source: file.to_owned(),
         published: Vec::new(),
-    };
+    });
     Aircraft {
         key: "file".to_owned(),
         name: name.to_owned(),
@@ -343,8 +343,7 @@ fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> A
         status: Status::Unverified,
         source: file.to_owned(),
         study,
-        longitudinal_notes: notes(file.to_owned(), status_reason.clone()),
-        lateral_notes: (plane == Plane::Lateral).then(|| notes(file.to_owned(), status_reason.clone())),
+        plane_notes,
         status_reason,
         particulars: Particulars { speed: Some(speed), ..Particulars::default() },
         class: None,

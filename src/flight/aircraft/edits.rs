@@ -9,7 +9,7 @@
 use nalgebra::{Matrix4, Matrix4x2};
 
 use super::derivatives::{LateralDerivatives, LongitudinalDerivatives};
-use super::plane::Plane;
+use super::plane::{ByPlane, Plane};
 use super::real::{Real, Record};
 use super::study::{DerivativeStudy, Models, Study, StudyError};
 
@@ -20,10 +20,8 @@ pub struct Offsets {
     pub longitudinal: LongitudinalDerivatives,
     /// Added to the lateral derivatives.
     pub lateral: LateralDerivatives,
-    /// Added to the matrices of the longitudinal model.
-    pub longitudinal_matrices: MatrixOffsets,
-    /// Added to the matrices of the lateral model.
-    pub lateral_matrices: MatrixOffsets,
+    /// Added to the matrices of the models.
+    pub matrices: ByPlane<MatrixOffsets>,
 }
 
 /// Added to A and B.
@@ -44,22 +42,6 @@ impl Offsets {
             inertia,
             longitudinal: longitudinal.map(|d| d.zip(&self.longitudinal, |x, offset: f64| x + offset)),
             lateral: lateral.map(|d| d.zip(&self.lateral, |x, offset: f64| x + offset)),
-        }
-    }
-
-    /// Those on the matrices of a plane.
-    pub fn matrices(&self, plane: Plane) -> &MatrixOffsets {
-        match plane {
-            Plane::Longitudinal => &self.longitudinal_matrices,
-            Plane::Lateral => &self.lateral_matrices,
-        }
-    }
-
-    /// Those on the matrices of a plane, to change.
-    pub fn matrices_mut(&mut self, plane: Plane) -> &mut MatrixOffsets {
-        match plane {
-            Plane::Longitudinal => &mut self.longitudinal_matrices,
-            Plane::Lateral => &mut self.lateral_matrices,
         }
     }
 }
@@ -87,7 +69,7 @@ impl Edited {
     /// Dimensional derivatives from which the matrices of a plane follow; `None` where the source has bare matrices, or
     /// entries have been edited apart from any derivative.
     pub fn derivatives_behind(&self, plane: Plane) -> Option<DerivativeStudy> {
-        let untouched = *self.offsets.matrices(plane) == MatrixOffsets::default();
+        let untouched = self.offsets.matrices[plane] == MatrixOffsets::default();
         if untouched { self.derivatives().ok()? } else { None }
     }
 
@@ -102,8 +84,8 @@ impl Edited {
     /// The models of both planes.
     pub fn models(&self) -> Result<Models, StudyError> {
         let mut models = self.models_of_derivatives()?;
-        for model in [&mut models.longitudinal, &mut models.lateral].into_iter().flatten() {
-            let offsets = self.offsets.matrices(model.plane);
+        for model in models.planes.iter_mut().flatten() {
+            let offsets = &self.offsets.matrices[model.plane];
             model.a += offsets.a;
             model.b += offsets.b;
         }

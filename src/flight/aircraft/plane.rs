@@ -1,5 +1,7 @@
 //! The linear model of motion in one plane of symmetry's sense, ẋ = A x + B δ: longitudinal or lateral–directional.
 
+use std::ops::{Index, IndexMut};
+
 use nalgebra::{Matrix4, Matrix4x2};
 
 use super::real::Real;
@@ -11,6 +13,62 @@ pub enum Plane {
     Longitudinal,
     /// x = \[v, p, r, φ\], inputs \[aileron δa, rudder δr\].
     Lateral,
+}
+
+impl Plane {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Longitudinal, Self::Lateral];
+}
+
+/// One thing for each plane: `pair.lateral`, or `pair[plane]` where the plane is a value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ByPlane<T> {
+    /// Of longitudinal motion.
+    pub longitudinal: T,
+    /// Of lateral–directional motion.
+    pub lateral: T,
+}
+
+impl<T> ByPlane<T> {
+    /// Both by one rule.
+    pub fn from_fn(mut of: impl FnMut(Plane) -> T) -> Self {
+        Self { longitudinal: of(Plane::Longitudinal), lateral: of(Plane::Lateral) }
+    }
+
+    /// Each by one rule.
+    pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> ByPlane<U> {
+        ByPlane { longitudinal: of(self.longitudinal), lateral: of(self.lateral) }
+    }
+
+    /// Both to read, the longitudinal first.
+    pub fn iter(&self) -> impl Iterator<Item = &T> {
+        [&self.longitudinal, &self.lateral].into_iter()
+    }
+
+    /// Both to change, the longitudinal first.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        [&mut self.longitudinal, &mut self.lateral].into_iter()
+    }
+}
+
+impl<T> Index<Plane> for ByPlane<T> {
+    type Output = T;
+
+    fn index(&self, plane: Plane) -> &T {
+        match plane {
+            Plane::Longitudinal => &self.longitudinal,
+            Plane::Lateral => &self.lateral,
+        }
+    }
+}
+
+impl<T> IndexMut<Plane> for ByPlane<T> {
+    fn index_mut(&mut self, plane: Plane) -> &mut T {
+        match plane {
+            Plane::Longitudinal => &mut self.longitudinal,
+            Plane::Lateral => &mut self.lateral,
+        }
+    }
 }
 
 /// Steady flight about which the motion is linear.

@@ -8,7 +8,7 @@ use super::condition::{
 };
 use super::derivatives::{LateralDerivatives, LongitudinalDerivatives, lateral_model, longitudinal_model};
 use super::knobs::{KnobError, Knobs};
-use super::plane::{Plane, PlaneModel, Trim};
+use super::plane::{ByPlane, Plane, PlaneModel, Trim};
 use super::real::{Dual64, Real, at_rest};
 use crate::flight::aircraft::inertia::Inertia;
 
@@ -55,21 +55,13 @@ pub struct DerivativeStudy<T = f64> {
 }
 
 /// An aircraft given by its matrices.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MatrixStudy {
-    /// Longitudinal model.
-    pub longitudinal: Option<PlaneModel>,
-    /// Lateral model.
-    pub lateral: Option<PlaneModel>,
-}
+pub type MatrixStudy = ByPlane<Option<PlaneModel>>;
 
 /// The linear models of both planes. A plane without data, or with a problem, leaves the other alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Models<T = f64> {
-    /// Longitudinal.
-    pub longitudinal: Option<PlaneModel<T>>,
-    /// Lateral–directional.
-    pub lateral: Option<PlaneModel<T>>,
+    /// The models.
+    pub planes: ByPlane<Option<PlaneModel<T>>>,
     /// Why a plane that has data has no model.
     pub problems: Vec<StudyError>,
 }
@@ -203,7 +195,8 @@ impl DerivativeStudy {
 impl<T: Real> DerivativeStudy<T> {
     /// The models; a problem of one plane leaves the other.
     pub fn models(&self) -> Models<T> {
-        let mut models = Models { longitudinal: None, lateral: None, problems: Vec::new() };
+        let mut models =
+            Models { planes: ByPlane { longitudinal: None, lateral: None }, problems: Vec::new() };
         if let Some(d) = &self.longitudinal {
             let denominator = 1.0 - d.z_wdot.re();
             let made = if denominator.abs() < 1e-9 {
@@ -211,7 +204,7 @@ impl<T: Real> DerivativeStudy<T> {
             } else {
                 finite(longitudinal_model(d, &self.trim))
             };
-            models.longitudinal = models.kept(made);
+            models.planes.longitudinal = models.kept(made);
         }
         if let Some(d) = &self.lateral {
             let ratio = (d.ixz_over_ix * d.ixz_over_iz).re();
@@ -220,21 +213,13 @@ impl<T: Real> DerivativeStudy<T> {
             } else {
                 Err(StudyError::Inertia { ratio })
             };
-            models.lateral = models.kept(made);
+            models.planes.lateral = models.kept(made);
         }
         models
     }
 }
 
 impl<T: Real> Models<T> {
-    /// The model of a plane.
-    pub fn of(&self, plane: Plane) -> Option<&PlaneModel<T>> {
-        match plane {
-            Plane::Longitudinal => self.longitudinal.as_ref(),
-            Plane::Lateral => self.lateral.as_ref(),
-        }
-    }
-
     fn kept(&mut self, made: Result<PlaneModel<T>, StudyError>) -> Option<PlaneModel<T>> {
         match made {
             Ok(model) => Some(model),
@@ -259,8 +244,7 @@ impl Study {
             Self::Derivatives(study) => Ok(study.models()),
             Self::Matrices(study) => {
                 let mut models = Models::default();
-                models.longitudinal = study.longitudinal.clone().and_then(|m| models.kept(finite(m)));
-                models.lateral = study.lateral.clone().and_then(|m| models.kept(finite(m)));
+                models.planes = study.clone().map(|model| model.and_then(|m| models.kept(finite(m))));
                 Ok(models)
             }
         }

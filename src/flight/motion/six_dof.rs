@@ -18,7 +18,7 @@ use super::aerodynamics::{Aerodynamics, Airflow, CoefficientLoads, Controls, Der
 use super::rigid_body::{Attitude, State};
 use crate::flight::aircraft::edits::{Edited, MatrixOffsets};
 use crate::flight::aircraft::inertia::Inertia;
-use crate::flight::aircraft::plane::{Plane, Trim};
+use crate::flight::aircraft::plane::{ByPlane, Plane, Trim};
 use crate::flight::aircraft::real::{Dual64, Real};
 use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Models, Study, StudyError};
 
@@ -49,7 +49,7 @@ pub struct SixDof {
     /// Where the aerodynamic model ends.
     pub limits: Limits,
     /// What a person added beyond the aerodynamics, where there is any: longitudinal, lateral.
-    edits: Option<[MatrixOffsets; 2]>,
+    edits: Option<ByPlane<MatrixOffsets>>,
 }
 
 /// The trim as solved: what balances forces and moments, and how well.
@@ -163,12 +163,12 @@ impl SixDof {
         if !(trim.speed > 0.0 && trim.speed.is_finite() && theta0.abs() <= STEEPEST_ATTITUDE) {
             return Err(SixDofError::Trim { speed: trim.speed, theta_deg: theta0.to_degrees() });
         }
-        let beyond = |plane: Plane| match (models.of(plane), own.of(plane)) {
+        let beyond = |plane: Plane| match (&models.planes[plane], &own.planes[plane]) {
             (Some(edited), Some(own)) => MatrixOffsets { a: edited.a - own.a, b: edited.b - own.b },
             _ => MatrixOffsets::default(),
         };
-        let edits = [beyond(Plane::Longitudinal), beyond(Plane::Lateral)];
-        let edits = (edits != [MatrixOffsets::default(); 2]).then_some(edits);
+        let edits = ByPlane::from_fn(beyond);
+        let edits = (edits != ByPlane::default()).then_some(edits);
         let mut flight = Self { trim, aerodynamics, inertia, steady: Steady::default(), limits, edits };
         flight.steady = flight.balance()?;
         Ok(flight)
@@ -259,7 +259,7 @@ impl SixDof {
     /// body's own rates.
     fn add_edits<T: Real>(
         &self,
-        [longitudinal, lateral]: &[MatrixOffsets; 2],
+        edits: &ByPlane<MatrixOffsets>,
         air: &Airflow<T>,
         state: &State<T>,
         controls: &Controls<T>,
@@ -270,9 +270,9 @@ impl SixDof {
         let down = state.attitude.down();
         let theta = (-down[0] - sin) / cos;
         let x = [u - self.trim.u0(), w - self.trim.w0(), q, theta];
-        let [du, dw, dq, turn_q] = product(longitudinal, x, [controls.elevator, controls.throttle]);
+        let [du, dw, dq, turn_q] = product(&edits.longitudinal, x, [controls.elevator, controls.throttle]);
         let x = [v, p, r, down[1] / cos];
-        let [dv, dp, dr, turn_p] = product(lateral, x, [controls.aileron, controls.rudder]);
+        let [dv, dp, dr, turn_p] = product(&edits.lateral, x, [controls.aileron, controls.rudder]);
         let turned = state.attitude.rate([p + turn_p, q + turn_q, r]);
         *rate = State {
             velocity: [rate.velocity[0] + du, rate.velocity[1] + dv, rate.velocity[2] + dw],

@@ -121,8 +121,8 @@ fn write_aircraft(scenario: &Scenario, prefix: &str, pieces: &mut Vec<(String, S
 
 fn write_disturbance(scenario: &Scenario, pieces: &mut Vec<(String, String)>) {
     let reference = Scenario::new(scenario.aircraft.clone());
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
-        let (choice, usual) = (scenario.disturbance.choice(plane), reference.disturbance.choice(plane));
+    for plane in Plane::ALL {
+        let (choice, usual) = (scenario.disturbance.choices[plane], reference.disturbance.choices[plane]);
         let shapes = |shape: Shape| words::word_of(&words::SHAPES, shape);
         let differing = [
             (
@@ -256,7 +256,7 @@ fn take_edits(pieces: &mut Pieces, prefix: &str) -> bool {
 
 fn read_plane(pieces: &mut Pieces, scenario: &mut Scenario) {
     let Some(plane) = pieces.take_word("plane", &words::PLANES) else { return };
-    if scenario.aircraft.notes_of(plane).is_some() {
+    if scenario.aircraft.plane_notes[plane].is_some() {
         scenario.plane = plane;
     } else {
         pieces.notices.push(Notice::Plane { aircraft: scenario.aircraft.name.clone() });
@@ -264,14 +264,14 @@ fn read_plane(pieces: &mut Pieces, scenario: &mut Scenario) {
 }
 
 fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
-    for plane in [Plane::Longitudinal, Plane::Lateral] {
+    for plane in Plane::ALL {
         let key = |word| format!("{}.{word}", words::plane(plane));
         let source =
             pieces.take_of(&key("source"), &words::SOURCES, |source| words::can_disturb(plane, source));
         let shape = pieces.take_of(&key("shape"), &words::SHAPES, words::is_of_control);
         let gust = pieces.take_of(&key("gust"), &words::SHAPES, words::is_of_gust);
         let mode = pieces.take_of(&key("mode"), &words::MODES, |_| true);
-        let choice = scenario.disturbance.choice_mut(plane);
+        let choice = &mut scenario.disturbance.choices[plane];
         choice.source = source.unwrap_or(choice.source);
         choice.control_shape = shape.unwrap_or(choice.control_shape);
         choice.gust_shape = gust.unwrap_or(choice.gust_shape);

@@ -5,7 +5,7 @@
 use super::notice::{Notice, quoted};
 use super::pieces::Pieces;
 use super::words;
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
 
@@ -103,13 +103,13 @@ pub struct Details {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sight {
     /// What is shown over time, of each plane, in the order of its outputs; never nothing.
-    pub shown: [Vec<Output>; 2],
+    pub shown: ByPlane<Vec<Output>>,
     /// Whether motions over time are split into modes.
     pub split: bool,
     /// Two phase portraits of each plane, (across, upward): one for the fast mode, one for the slow.
-    pub portraits: [[(Output, Output); 2]; 2],
+    pub portraits: ByPlane<[(Output, Output); 2]>,
     /// The output of the frequency response, of each plane.
-    pub frequency_of: [Output; 2],
+    pub frequency_of: ByPlane<Output>,
     /// What is marked on the pole map.
     pub marks: Marks,
     /// What the cards of the modes show.
@@ -133,16 +133,16 @@ impl Default for Sight {
             Sideslip, YawRate,
         };
         Self {
-            shown: [
-                vec![ForwardSpeed, AngleOfAttack, PitchRate, PitchAngle, Height],
-                vec![Sideslip, RollRate, YawRate, BankAngle, Heading],
-            ],
+            shown: ByPlane {
+                longitudinal: vec![ForwardSpeed, AngleOfAttack, PitchRate, PitchAngle, Height],
+                lateral: vec![Sideslip, RollRate, YawRate, BankAngle, Heading],
+            },
             split: false,
-            portraits: [
-                [(AngleOfAttack, PitchRate), (ForwardSpeed, PitchAngle)],
-                [(Sideslip, RollRate), (Sideslip, YawRate)],
-            ],
-            frequency_of: [PitchRate, Sideslip],
+            portraits: ByPlane {
+                longitudinal: [(AngleOfAttack, PitchRate), (ForwardSpeed, PitchAngle)],
+                lateral: [(Sideslip, RollRate), (Sideslip, YawRate)],
+            },
+            frequency_of: ByPlane { longitudinal: PitchRate, lateral: Sideslip },
             marks: Marks::default(),
             details: Details::default(),
             maximised: None,
@@ -154,26 +154,24 @@ impl Default for Sight {
     }
 }
 
-const PLANES: [Plane; 2] = [Plane::Longitudinal, Plane::Lateral];
-
 impl Sight {
     /// The pieces of a link that differ from the page as it opens.
     pub(super) fn write(&self) -> Vec<(String, String)> {
         let usual = Self::default();
         let pieces = |sight: &Self| {
             let mut pieces = Vec::new();
-            for (i, plane) in PLANES.into_iter().enumerate() {
+            for plane in Plane::ALL {
                 let mut of_plane = |key, outputs: Vec<Output>| {
                     let keys: Vec<&str> =
                         outputs.into_iter().map(|output| Quantity::of(output).key).collect();
                     pieces.push((format!("{}.{key}", words::plane(plane)), keys.join(".")));
                 };
-                of_plane("show", sight.shown[i].clone());
+                of_plane("show", sight.shown[plane].clone());
                 of_plane(
                     "phase",
-                    sight.portraits[i].iter().flat_map(|&(across, upward)| [across, upward]).collect(),
+                    sight.portraits[plane].iter().flat_map(|&(across, upward)| [across, upward]).collect(),
                 );
-                of_plane("frequency_of", vec![sight.frequency_of[i]]);
+                of_plane("frequency_of", vec![sight.frequency_of[plane]]);
             }
             let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
             for (key, value) in [
@@ -197,21 +195,21 @@ impl Sight {
     /// Takes its pieces out of a link.
     pub(super) fn read(pieces: &mut Pieces) -> Self {
         let mut sight = Self::default();
-        for (i, plane) in PLANES.into_iter().enumerate() {
+        for plane in Plane::ALL {
             let key = |key| format!("{}.{key}", words::plane(plane));
             if let Some(mut shown) = take(pieces, &key("show"), |text| outputs(plane, text)) {
                 // In the order of the page, whatever the order of the link.
                 shown.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
                 shown.dedup();
-                sight.shown[i] = shown;
+                sight.shown[plane] = shown;
             }
             let four = |text: &str| <[Output; 4]>::try_from(outputs(plane, text)?).ok();
             if let Some([a, b, c, d]) = take(pieces, &key("phase"), four) {
-                sight.portraits[i] = [(a, b), (c, d)];
+                sight.portraits[plane] = [(a, b), (c, d)];
             }
             let one = |text: &str| <[Output; 1]>::try_from(outputs(plane, text)?).ok();
             if let Some([output]) = take(pieces, &key("frequency_of"), one) {
-                sight.frequency_of[i] = output;
+                sight.frequency_of[plane] = output;
             }
         }
         sight.split = pieces.take_word("split", &words::SPLITS).unwrap_or(sight.split);

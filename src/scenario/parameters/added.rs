@@ -14,8 +14,8 @@ impl Parameter {
         match self.place {
             Place::LongitudinalDerivative(of) => Some(read(of, &offsets.longitudinal)),
             Place::LateralDerivative(of) => Some(read(of, &offsets.lateral)),
-            Place::A(plane, row, column, sign) => Some(sign * offsets.matrices(plane).a[(row, column)]),
-            Place::B(plane, row, column) => Some(offsets.matrices(plane).b[(row, column)]),
+            Place::A(plane, row, column, sign) => Some(sign * offsets.matrices[plane].a[(row, column)]),
+            Place::B(plane, row, column) => Some(offsets.matrices[plane].b[(row, column)]),
             _ => None,
         }
     }
@@ -27,9 +27,9 @@ impl Parameter {
             Place::LongitudinalDerivative(of) => *of(&mut offsets.longitudinal) = value,
             Place::LateralDerivative(of) => *of(&mut offsets.lateral) = value,
             Place::A(plane, row, column, sign) => {
-                offsets.matrices_mut(plane).a[(row, column)] = sign * value;
+                offsets.matrices[plane].a[(row, column)] = sign * value;
             }
-            Place::B(plane, row, column) => offsets.matrices_mut(plane).b[(row, column)] = value,
+            Place::B(plane, row, column) => offsets.matrices[plane].b[(row, column)] = value,
             _ => {}
         }
     }

@@ -160,7 +160,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "speed at release",
         (Dimension::Speed, -20.0, 20.0),
         ("Forward speed beyond the steady one when the aircraft is let go.", "Positive is faster."),
-        |s| &mut s.released_longitudinal[0],
+        |s| &mut s.released.longitudinal[0],
     ),
     row(
         "from_alpha",
@@ -171,7 +171,7 @@ pub(super) const ROWS: [Parameter; 26] = [
             "Angle of attack beyond the steady one when the aircraft is let go.",
             "Positive is nose-up to the air.",
         ),
-        |s| &mut s.released_longitudinal[1],
+        |s| &mut s.released.longitudinal[1],
     ),
     row(
         "from_q",
@@ -179,7 +179,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "pitch rate at release",
         (Dimension::AngularRate, -1.0, 1.0),
         ("Pitch rate when the aircraft is let go.", "Positive is nose-up."),
-        |s| &mut s.released_longitudinal[2],
+        |s| &mut s.released.longitudinal[2],
     ),
     row(
         "from_theta",
@@ -187,7 +187,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "pitch angle at release",
         (Dimension::Angle, -0.35, 0.35),
         ("Pitch angle beyond the steady one when the aircraft is let go.", "Positive is nose-up."),
-        |s| &mut s.released_longitudinal[3],
+        |s| &mut s.released.longitudinal[3],
     ),
     row(
         "from_beta",
@@ -195,7 +195,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "sideslip at release",
         (Dimension::Angle, -0.2, 0.2),
         ("Sideslip when the aircraft is let go.", "Positive: wind from the right."),
-        |s| &mut s.released_lateral[0],
+        |s| &mut s.released.lateral[0],
     ),
     row(
         "from_p",
@@ -203,7 +203,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "roll rate at release",
         (Dimension::AngularRate, -1.0, 1.0),
         ("Roll rate when the aircraft is let go.", "Positive is right wing down."),
-        |s| &mut s.released_lateral[1],
+        |s| &mut s.released.lateral[1],
     ),
     row(
         "from_r",
@@ -211,7 +211,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "yaw rate at release",
         (Dimension::AngularRate, -1.0, 1.0),
         ("Yaw rate when the aircraft is let go.", "Positive is nose right."),
-        |s| &mut s.released_lateral[2],
+        |s| &mut s.released.lateral[2],
     ),
     row(
         "from_phi",
@@ -219,7 +219,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "bank angle at release",
         (Dimension::Angle, -0.8, 0.8),
         ("Bank angle when the aircraft is let go.", "Positive is right wing down."),
-        |s| &mut s.released_lateral[3],
+        |s| &mut s.released.lateral[3],
     ),
     row(
         "mode_size",

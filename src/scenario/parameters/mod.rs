@@ -291,9 +291,11 @@ impl Parameter {
             Place::LateralDerivative(of) => Some(read(of, edited.derivatives().ok()??.lateral.as_ref()?)),
             Place::A(plane, row, column, sign) => {
                 let models = edited.models().ok()?;
-                Some(sign * models.of(plane)?.a[(row, column)])
+                Some(sign * models.planes[plane].as_ref()?.a[(row, column)])
             }
-            Place::B(plane, row, column) => Some(edited.models().ok()?.of(plane)?.b[(row, column)]),
+            Place::B(plane, row, column) => {
+                Some(edited.models().ok()?.planes[plane].as_ref()?.b[(row, column)])
+            }
             Place::Disturbance(of) => Some(read(of, &scenario.disturbance.sizes)),
         }
     }
@@ -325,10 +327,10 @@ impl Parameter {
             (Place::LongitudinalDerivative(of), _) => *of(&mut edited.offsets.longitudinal) += change,
             (Place::LateralDerivative(of), _) => *of(&mut edited.offsets.lateral) += change,
             (Place::A(plane, row, column, sign), _) => {
-                edited.offsets.matrices_mut(plane).a[(row, column)] += sign * change;
+                edited.offsets.matrices[plane].a[(row, column)] += sign * change;
             }
             (Place::B(plane, row, column), _) => {
-                edited.offsets.matrices_mut(plane).b[(row, column)] += change;
+                edited.offsets.matrices[plane].b[(row, column)] += change;
             }
             (Place::Disturbance(of), _) => {
                 *of(&mut scenario.disturbance.sizes) = value;

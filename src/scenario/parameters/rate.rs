@@ -25,20 +25,23 @@ impl Parameter {
             }
             Place::A(of, row, column, sign) => {
                 let models = edited.models().ok()?;
-                models.of(of).and(models.of(plane))?;
+                models.planes[of].as_ref().and(models.planes[plane].as_ref())?;
                 // p = ±a, so a = ±p
                 let rate = if of == plane { sign } else { 0.0 };
                 return Some(entry_rate(row, column) * rate);
             }
             Place::B(of, ..) => {
                 let models = edited.models().ok()?;
-                return models.of(of).and(models.of(plane)).map(|_| Matrix4::zeros());
+                return models.planes[of]
+                    .as_ref()
+                    .and(models.planes[plane].as_ref())
+                    .map(|_| Matrix4::zeros());
             }
             Place::Disturbance(_) => {
-                return edited.models().ok()?.of(plane).map(|_| Matrix4::zeros());
+                return edited.models().ok()?.planes[plane].as_ref().map(|_| Matrix4::zeros());
             }
         };
-        let rate = derivatives.models().of(plane)?.a.map(|x| x.eps);
+        let rate = derivatives.models().planes[plane].as_ref()?.a.map(|x| x.eps);
         rate.iter().all(|x| x.is_finite()).then_some(rate)
     }
 

@@ -13,7 +13,7 @@ pub use scene::Ghost;
 use scene::{Scene, name};
 
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::{Analysis, AnalysisError};
@@ -94,7 +94,7 @@ struct View {
     /// The mode that is flown alone: its plane, its place among the modes, and its name.
     held: Option<(Plane, usize, ModeName)>,
     /// What disturbed each plane, and for how long it was watched \[s\], before a mode was flown alone.
-    before_flight: [Option<(Choice, f64)>; 2],
+    before_flight: ByPlane<Option<(Choice, f64)>>,
 }
 
 /// The page.
@@ -152,7 +152,7 @@ impl App {
                 phone_pane: PhonePane::default(),
                 details: Details::default(),
                 held: None,
-                before_flight: [None; 2],
+                before_flight: ByPlane::default(),
             },
         })
     }
@@ -221,7 +221,7 @@ impl App {
         self.view.responses.tab = opened.view.tab;
         self.view.responses.nonlinear = opened.view.nonlinear;
         self.look(&opened.view.sight);
-        self.view.before_flight = [None; 2];
+        self.view.before_flight = ByPlane::default();
         // Before anyone asks for the link: it is to change by what a person does only.
         self.memo.refresh(&self.scenario, self.view.page);
         if let Some(plane) = self.memo.plane() {
@@ -342,7 +342,7 @@ impl App {
     /// Keeps flying the mode that is flown alone where another has come before it in the order of the modes.
     fn hold_mode(&mut self) {
         let plane = self.scenario.plane;
-        let choice = *self.scenario.disturbance.choice(plane);
+        let choice = self.scenario.disturbance.choices[plane];
         let Some(analysed) = self.memo.plane().filter(|_| choice.source == Source::OneMode) else {
             self.view.held = None;
             return;
@@ -356,7 +356,7 @@ impl App {
         };
         let index = moved_to.unwrap_or(choice.mode);
         self.view.held = name(index).map(|name| (plane, index, name));
-        self.scenario.disturbance.choice_mut(plane).mode = index;
+        self.scenario.disturbance.choices[plane].mode = index;
     }
 
     /// Does what a key asks for, or says what is to be done last in the frame.
@@ -385,20 +385,20 @@ impl App {
         let plane = self.scenario.plane;
         let length = self.memo.plane().and_then(|plane| Some(seen_in(plane.modes.get(index)?)));
         let disturbance = &mut self.scenario.disturbance;
-        let before = &mut self.view.before_flight[plane as usize];
+        let before = &mut self.view.before_flight[plane];
         if flown {
             let standard = Disturbance::default();
-            let (choice, time) = before.unwrap_or((*standard.choice(plane), standard.sizes.time));
-            *disturbance.choice_mut(plane) = choice;
+            let (choice, time) = before.unwrap_or((standard.choices[plane], standard.sizes.time));
+            disturbance.choices[plane] = choice;
             disturbance.sizes.time = time;
             self.view.flight.pause();
             return;
         }
-        let choice = *disturbance.choice(plane);
+        let choice = disturbance.choices[plane];
         if choice.source != Source::OneMode {
             *before = Some((choice, disturbance.sizes.time));
         }
-        *disturbance.choice_mut(plane) = Choice { source: Source::OneMode, mode: index, ..choice };
+        disturbance.choices[plane] = Choice { source: Source::OneMode, mode: index, ..choice };
         disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
         self.view.flight.start();
         // On a phone the aircraft is on another page than the card.

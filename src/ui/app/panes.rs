@@ -44,14 +44,14 @@ impl App {
     pub(super) fn ghost_memo_refresh(&mut self) {
         if let Some(ghost) = &self.ghost {
             let mut compared = self.compared(ghost);
-            let own = compared.disturbance.choice(compared.plane).mode;
+            let own = compared.disturbance.choices[compared.plane].mode;
             let flown = self.memo.plane().and_then(|plane| plane.modes.get(own)).map(|mode| mode.naming.name);
             // The second time where its modes weren't known before.
             for _ in 0..2 {
                 // Of one mode alone the same mode, whatever its place among the others.
                 let modes = self.ghost_memo.plane().map_or(&[][..], |plane| &plane.modes);
                 let place = modes.iter().position(|mode| Some(mode.naming.name) == flown);
-                compared.disturbance.choice_mut(compared.plane).mode = place.unwrap_or(own);
+                compared.disturbance.choices[compared.plane].mode = place.unwrap_or(own);
                 self.ghost_memo.refresh(&compared, Page::Disturbance);
             }
         }
@@ -171,7 +171,7 @@ impl App {
         self.memo.refresh(&self.scenario, self.view.page);
         let Some(analysed) = self.memo.plane() else { return };
         let ghost = ghost_modes(self.ghost.as_deref(), &self.ghost_memo);
-        let choice = *self.scenario.disturbance.choice(self.scenario.plane);
+        let choice = self.scenario.disturbance.choices[self.scenario.plane];
         let last = analysed.modes.len().saturating_sub(1);
         let mut asked = None;
         for (i, mode) in analysed.modes.iter().enumerate() {
@@ -209,7 +209,7 @@ fn studied(memo: &Memo) -> Option<Studied<'_>> {
 /// Why there is nothing to draw: a sentence in the pane that comes first, and a remark in the others.
 fn problem_ui(ui: &mut Ui, followed: Option<&Followed>, plane: Plane, is_said: &mut bool) {
     let problem = match followed.map(|followed| &followed.analysis) {
-        Some(Ok(analysis)) => match analysis.of(plane) {
+        Some(Ok(analysis)) => match &analysis.planes[plane] {
             Some(Err(error)) => error.to_string(),
             Some(Ok(_)) | None => "the source has no data for this plane of motion".to_owned(),
         },

@@ -377,7 +377,7 @@ mod tests {
     /// The labels of both maps are given to `check`, with the map and whether it is the one where the modes are at home.
     fn each_map(scenario: &Scenario, check: impl Fn(&Map<'_>, &Chart, &[Label])) {
         let analysis = scenario.analyse();
-        let Some(plane) = analysis.ok().and_then(|analysis| analysis.of(scenario.plane).cloned()?.ok())
+        let Some(plane) = analysis.ok().and_then(|analysis| analysis.planes[scenario.plane].clone()?.ok())
         else {
             return;
         };
@@ -420,7 +420,7 @@ mod tests {
     fn scenarios() -> Vec<Scenario> {
         let mut scenarios = Vec::new();
         for aircraft in embedded_aircraft().0 {
-            for plane in [Plane::Longitudinal, Plane::Lateral] {
+            for plane in Plane::ALL {
                 let mut scenario = Scenario::new(Arc::new(aircraft.clone()));
                 scenario.plane = plane;
                 scenarios.push(scenario);

@@ -10,7 +10,7 @@ use crate::ui::theme;
 /// Draws the choosers; edits the disturbance in place. `modes` are those that can be flown alone.
 pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
     let plane = scenario.plane;
-    let choice = scenario.disturbance.choice_mut(plane);
+    let choice = &mut scenario.disturbance.choices[plane];
     source_ui(ui, choice, Source::of(plane));
     shape_ui(ui, choice);
     if choice.source == Source::OneMode {

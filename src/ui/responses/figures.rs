@@ -39,7 +39,7 @@ pub fn figures_ui(ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>)
 
 /// Whether the air is irregular: then only averages say something of the aircraft.
 fn in_turbulence(studied: Studied<'_>) -> bool {
-    studied.scenario.disturbance.choice(studied.plane()).source == Source::Turbulence
+    studied.scenario.disturbance.choices[studied.plane()].source == Source::Turbulence
 }
 
 /// The values of an output as long as the disturbance is small.
@@ -54,7 +54,7 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
     let Studied { motion, scenario, .. } = studied;
     let random = in_turbulence(studied);
     // Let go or in one mode the disturbance is there from the first.
-    let from = if scenario.disturbance.choice(studied.plane()).shape().is_some() { START } else { 0.0 };
+    let from = if scenario.disturbance.choices[studied.plane()].shape().is_some() { START } else { 0.0 };
     let dt = motion.response.dt;
     let mut lines = Vec::new();
     match studied.plane() {
@@ -69,7 +69,7 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
             if let Some(swing) = swing(studied).filter(|_| !random) {
                 lines.push(format!("Phugoid, first swing of the height: {} m", significant(swing, 3)));
             }
-            let elevator = scenario.disturbance.longitudinal.source == Source::Elevator;
+            let elevator = scenario.disturbance.choices.longitudinal.source == Source::Elevator;
             let parameter =
                 control_anticipation(&motion.model, studied.modes, &motion.forced, 0).filter(|_| elevator);
             if let Some(parameter) = parameter {

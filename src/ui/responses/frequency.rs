@@ -7,9 +7,9 @@ use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, input_words, units};
 use super::time::grid;
-use super::{Basis, Seen, index, kept, note_ui, output_ui};
+use super::{Basis, Seen, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::stability::Stability;
 use crate::flight::motion::frequency_response::{
@@ -27,7 +27,7 @@ const POINTS: usize = 400;
 #[derive(Debug)]
 pub struct FrequencyPlots {
     /// The output watched, of each plane.
-    pub outputs: [Output; 2],
+    pub outputs: ByPlane<Output>,
     plots: [SmallPlot; 2],
     sheet: Option<((Basis, Output), Sheet)>,
 }
@@ -62,13 +62,13 @@ impl FrequencyPlots {
     /// Which output.
     pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
         ui.label("Gain and phase of");
-        output_ui(ui, "Output of the frequency response", plane, &mut self.outputs[index(plane)]);
+        output_ui(ui, "Output of the frequency response", plane, &mut self.outputs[plane]);
     }
 
     /// Draws gain and phase.
     pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
         let Seen { studied, ghost, .. } = seen;
-        let output = self.outputs[index(studied.plane())];
+        let output = self.outputs[studied.plane()];
         let key = (Basis::of(seen), output);
         let Sheet { bode, pictures, entries } = kept(&mut self.sheet, key, || Sheet::of(seen, output));
         match unsteady(studied.modes) {

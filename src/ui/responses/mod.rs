@@ -200,14 +200,6 @@ fn word(quantity: Quantity) -> String {
     super::symbol::Symbol::parse(quantity.symbol).plain()
 }
 
-/// Index of a plane in what is kept one a plane.
-const fn index(plane: Plane) -> usize {
-    match plane {
-        Plane::Longitudinal => 0,
-        Plane::Lateral => 1,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::kept;

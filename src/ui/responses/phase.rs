@@ -7,8 +7,8 @@ use super::legend::{self, Entry, Mark};
 use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::time::grid;
-use super::{Basis, Seen, index, kept, output_ui};
-use crate::flight::aircraft::plane::Plane;
+use super::{Basis, Seen, kept, output_ui};
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::outputs::Output;
 use crate::scenario::link::Sight;
 
@@ -16,7 +16,7 @@ use crate::scenario::link::Sight;
 #[derive(Debug)]
 pub struct PhasePlots {
     /// (over, of): one for the fast mode, one for the slow.
-    pub pairs: [[(Output, Output); 2]; 2],
+    pub pairs: ByPlane<[(Output, Output); 2]>,
     plots: [SmallPlot; 2],
     pictures: Option<(Key, [Picture; 2])>,
 }
@@ -36,7 +36,7 @@ impl PhasePlots {
             ("Left portrait, upward", "Left portrait, across"),
             ("Right portrait, upward", "Right portrait, across"),
         ];
-        for ((over, of), (upward, across)) in self.pairs[index(plane)].iter_mut().zip(names) {
+        for ((over, of), (upward, across)) in self.pairs[plane].iter_mut().zip(names) {
             output_ui(ui, upward, plane, of);
             ui.label("against");
             output_ui(ui, across, plane, over);
@@ -47,7 +47,7 @@ impl PhasePlots {
     /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\].
     pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>, cursor: Option<f64>) {
         let Seen { studied, palette, .. } = seen;
-        let pairs = self.pairs[index(studied.plane())];
+        let pairs = self.pairs[studied.plane()];
         let key = (Basis::of(seen), pairs);
         let pictures = kept(&mut self.pictures, key, || pairs.map(|pair| portrait(seen, pair)));
         for picture in pictures.iter_mut() {

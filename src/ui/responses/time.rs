@@ -7,9 +7,9 @@ use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 use super::legend::{self, Entry};
 use super::plot::{Picture, SmallPlot, Stroke};
 use super::studied::units;
-use super::{Basis, Seen, index, kept, note_ui, word};
+use super::{Basis, Seen, kept, note_ui, word};
 use crate::content::LengthUnit;
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::modal_sum::SplitError;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
@@ -24,7 +24,7 @@ const GAP: Vec2 = Vec2::new(12.0, 6.0);
 #[derive(Debug)]
 pub struct TimePlots {
     /// What is shown, of each plane.
-    pub chosen: [Vec<Output>; 2],
+    pub chosen: ByPlane<Vec<Output>>,
     /// Whether the parts of the modes are shown.
     pub split: bool,
     plots: Vec<SmallPlot>,
@@ -111,7 +111,7 @@ impl TimePlots {
 
     /// Which outputs, and whether split.
     pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
-        let chosen = &mut self.chosen[index(plane)];
+        let chosen = &mut self.chosen[plane];
         // Boxes to tick have their outline, which the style of menus takes away.
         let config = MenuConfig::new().style(StyleModifier::default());
         let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
@@ -139,7 +139,7 @@ impl TimePlots {
 
     /// Draws the plots over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
-        let chosen = &self.chosen[index(seen.studied.plane())];
+        let chosen = &self.chosen[seen.studied.plane()];
         let (cursor, before) = (self.cursor(), self.hovered);
         let key = (Basis::of(seen), chosen.clone(), self.split);
         let Sheet { pictures, entries, unsplit } =
