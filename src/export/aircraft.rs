@@ -9,6 +9,7 @@ use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
 /// Which aircraft was asked about.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Aircraft"))]
 pub struct AircraftReport {
     /// Short name; `file` for bare matrices.
     pub key: String,
@@ -19,14 +20,18 @@ pub struct AircraftReport {
     /// Where its numbers come from.
     pub source: String,
     /// `verified` where every published number is reproduced, else `unverified`.
+    #[cfg_attr(test, ts(type = "Status"))]
     pub status: &'static str,
     /// Why, in a sentence or two.
     pub status_reason: String,
     /// Class of MIL-F-8785C, our assignment.
+    #[cfg_attr(test, ts(type = "AircraftClass | null"))]
     pub class: Option<&'static str>,
     /// Flight-phase category of MIL-F-8785C, our assignment.
+    #[cfg_attr(test, ts(type = "FlightPhase | null"))]
     pub phase: Option<&'static str>,
     /// The planes of motion that it has data of.
+    #[cfg_attr(test, ts(type = "Array<PlaneName>"))]
     pub planes: Vec<&'static str>,
 }
 

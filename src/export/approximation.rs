@@ -6,6 +6,7 @@ use crate::flight::modes::approximations::{Approximation, ModeValue};
 
 /// A textbook approximation beside the exact mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Approximation"))]
 pub struct ApproximationReport {
     /// The mode that it approximates.
     pub mode: &'static str,
@@ -27,6 +28,7 @@ pub struct ApproximationReport {
 
 /// What an approximation or a mode is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ModeValue"))]
 #[serde(untagged)]
 pub enum ValueReport {
     /// An oscillation, or two roots taken together.

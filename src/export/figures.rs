@@ -14,6 +14,7 @@ use crate::scenario::{Quantity, START, Scenario, Source};
 
 /// Figures of a motion: of its samples from the first to where it is no small disturbance any more, at 1,200 steps or more.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Figures"))]
 pub struct FiguresReport {
     /// When the disturbance begins \[s\]: times after it count from here.
     pub start: f64,
@@ -31,6 +32,7 @@ pub struct FiguresReport {
 
 /// Figures of one output, in its SI unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct OutputFigures {
     /// Name of the output.
     pub name: &'static str,
@@ -50,6 +52,7 @@ pub struct OutputFigures {
 
 /// A value farthest from zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Peak"))]
 pub struct PeakReport {
     /// The value, with its sign.
     pub value: f64,

@@ -11,6 +11,7 @@ use crate::scenario::Scenario;
 
 /// A nonlinear flight, or why there is none.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum FlightOutcome {
     /// The flight.
@@ -24,6 +25,7 @@ pub enum FlightOutcome {
 
 /// A nonlinear flight in six degrees of freedom.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Flight"))]
 pub struct FlightReport {
     /// Times of its samples \[s\]: those of the linear motion until it stops, and on where that is cut.
     pub time: Vec<f64>,
@@ -35,6 +37,7 @@ pub struct FlightReport {
 
 /// Where a flight stopped.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Stop"))]
 pub struct StopReport {
     /// When \[s\].
     pub time: f64,

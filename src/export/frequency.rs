@@ -24,13 +24,16 @@ const STEPS_FOLLOWED: usize = 2000;
 
 /// Of what to what, and where.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 #[serde(deny_unknown_fields)]
 pub struct FrequencyRequest {
     /// `longitudinal` or `lateral`; by default that of the disturbance, else that of the output, else the aircraft's first.
+    #[cfg_attr(test, ts(optional, type = "PlaneName"))]
     pub plane: Option<String>,
-    /// One of [`DISTURBANCES`] that enters by one channel, a control or a gust; by default the plane's first, elevator or rudder.
+    /// What disturbs by one channel, a control or a gust; by default the plane's first, elevator or rudder.
+    #[cfg_attr(test, ts(optional, type = "ControlOrGust"))]
     pub disturbance: Option<String>,
-    /// Key of an output, as in the answer of [`super::respond`]; by default the pitch rate `q` or the sideslip `beta`.
+    /// Key of an output, as a motion names them; by default the pitch rate `q` or the sideslip `beta`.
     pub output: Option<String>,
     /// First angular frequency \[rad/s\]; by default below all modes, on a whole decade.
     pub from: Option<f64>,
@@ -42,14 +45,18 @@ pub struct FrequencyRequest {
 
 /// A frequency response.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "FrequencyResponse"))]
 pub struct FrequencyReport {
     /// The aircraft.
     pub aircraft: AircraftReport,
     /// What was set on it, SI.
+    #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
     /// `longitudinal` or `lateral`.
+    #[cfg_attr(test, ts(type = "PlaneName"))]
     pub plane: &'static str,
     /// The disturbance by its name in a request.
+    #[cfg_attr(test, ts(type = "ControlOrGust"))]
     pub disturbance: &'static str,
     /// What enters: air is positive forward, downward and to the right, whatever the sense of the disturbance's size.
     pub input: Measured,
@@ -69,6 +76,7 @@ pub struct FrequencyReport {
 
 /// A quantity and its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Measured {
     /// What it is.
     pub name: &'static str,
@@ -78,6 +86,7 @@ pub struct Measured {
 
 /// A local maximum of the gain.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct GainPeak {
     /// Name of the oscillation nearest in frequency.
     pub mode: &'static str,

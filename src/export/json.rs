@@ -20,15 +20,24 @@ use crate::content::MatrixFormat;
 /// The fields of a request that say which aircraft.
 const SUBJECT: [&str; 6] = ["aircraft", "toml", "matrices", "format", "file", "set"];
 
-/// Which aircraft, as a request says it.
+/// Which aircraft, and what is set on it: one of `aircraft`, `toml` and `matrices`.
 #[derive(Deserialize)]
-struct SubjectForm {
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Subject", optional_fields))]
+pub(super) struct SubjectForm {
+    /// Key of an aircraft of the list, such as `navion`.
     aircraft: Option<String>,
+    /// Text of an aircraft file.
     toml: Option<String>,
+    /// Text of bare matrices A and B with named states.
     matrices: Option<String>,
+    /// How `matrices` is written; `m` is MATLAB.
+    #[cfg_attr(test, ts(optional, type = "MatrixFormat"))]
     format: Option<String>,
+    /// Name of the text in messages.
     file: Option<String>,
+    /// Values by the keys of the parameters \[SI, radians\].
     #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     set: BTreeMap<String, f64>,
 }
 

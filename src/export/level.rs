@@ -7,6 +7,7 @@ use crate::flight::verdicts::mil_f_8785c::Criterion;
 
 /// A level of handling qualities.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Level"))]
 pub struct LevelReport {
     /// What was judged.
     pub criterion: &'static str,
@@ -26,6 +27,7 @@ pub struct LevelReport {
 
 /// A value that was judged.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "JudgedValue"))]
 pub struct JudgedReport {
     /// Its symbol.
     pub symbol: &'static str,

@@ -14,6 +14,7 @@ pub fn list() -> Vec<AircraftReport> {
 
 /// A parameter that can be set on an aircraft.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Parameter"))]
 pub struct ParameterReport {
     /// Its key, in `set` and in a sweep.
     pub key: &'static str,
@@ -26,6 +27,7 @@ pub struct ParameterReport {
     /// SI unit of the numbers below; empty for a ratio.
     pub unit: &'static str,
     /// `longitudinal` or `lateral`; null for both.
+    #[cfg_attr(test, ts(type = "PlaneName | null"))]
     pub plane: Option<&'static str>,
     /// Value on this aircraft.
     pub value: f64,

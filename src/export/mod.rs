@@ -17,6 +17,8 @@ mod respond;
 mod split;
 mod subject;
 mod sweep;
+#[cfg(test)]
+mod typescript;
 
 use serde_json::{Map, Value, json};
 

@@ -8,6 +8,7 @@ use crate::flight::modes::mode::Mode;
 
 /// One mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Mode"))]
 pub struct ModeReport {
     /// What it is called.
     pub name: &'static str,
@@ -20,6 +21,7 @@ pub struct ModeReport {
     /// Imaginary part ω ≥ 0 of its eigenvalue; positive stands for the pair σ ± jω.
     pub im: f64,
     /// `stable`, `neutral` or `unstable`.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub stability: &'static str,
     /// ωₙ, of an oscillation.
     pub natural_frequency: Option<f64>,

@@ -14,6 +14,7 @@ use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiff
 
 /// What follows for one plane of motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Plane"))]
 pub struct PlaneReport {
     /// Names of the states, in the order of the rows and columns.
     pub states: [&'static str; 4],
@@ -30,6 +31,7 @@ pub struct PlaneReport {
     /// The modes, each conjugate pair once.
     pub modes: Vec<ModeReport>,
     /// `stable`, `neutral` or `unstable`: that of the worst mode.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub dynamic_stability: &'static str,
     /// Static stability, a verdict of its own.
     pub static_stability: StaticReport,
@@ -41,6 +43,7 @@ pub struct PlaneReport {
 
 /// A steady flight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Trim"))]
 pub struct TrimReport {
     /// True airspeed V.
     pub speed: f64,
@@ -54,8 +57,10 @@ pub struct TrimReport {
 
 /// Static stability of a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StaticStability"))]
 pub struct StaticReport {
     /// `stable`, `neutral` or `unstable`, from the sign of det A.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub verdict: &'static str,
     /// det A.
     pub determinant: f64,
@@ -68,6 +73,7 @@ pub struct StaticReport {
 
 /// The stiffnesses of a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Stiffness"))]
 #[serde(untagged)]
 pub enum StiffnessReport {
     /// Pitch.

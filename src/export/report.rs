@@ -10,12 +10,15 @@ use crate::flight::{Analysis, AnalysisError};
 
 /// What follows for an aircraft.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Analysis"))]
 pub struct Report {
     /// The aircraft.
     pub aircraft: AircraftReport,
     /// The unit of every number below, by the name of its field; numbers without one are ratios.
+    #[cfg_attr(test, ts(type = "Record<string, string>"))]
     pub units: Units,
     /// What was set on it, SI.
+    #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: std::collections::BTreeMap<String, f64>,
     /// Longitudinal motion, x = \[u, w, q, θ\]; null where the aircraft has no data of it.
     pub longitudinal: Option<PlaneOutcome>,
@@ -69,6 +72,7 @@ impl Serialize for Units {
 
 /// What follows for one plane, or why nothing does.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum PlaneOutcome {
     /// What follows.

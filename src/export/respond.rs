@@ -19,13 +19,17 @@ use crate::scenario::{Quantity, Scenario, Source};
 
 /// Which disturbance, how finely its motion is wanted, and what else of it.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 #[serde(deny_unknown_fields)]
 pub struct ResponseRequest {
     /// `longitudinal` or `lateral`; by default that of the disturbance, and the aircraft's first where it can be both.
+    #[cfg_attr(test, ts(optional, type = "PlaneName"))]
     pub plane: Option<String>,
-    /// One of [`DISTURBANCES`]; by default the plane's first, elevator or rudder.
+    /// What disturbs; by default the plane's first, elevator or rudder. Its size is a parameter.
+    #[cfg_attr(test, ts(optional, type = "Disturbance"))]
     pub disturbance: Option<String>,
-    /// One of [`super::SHAPES`] that the disturbance can have; by default that of the page.
+    /// Its shape in time, of those it can have; by default that of the page.
+    #[cfg_attr(test, ts(optional, type = "Shape"))]
     pub shape: Option<String>,
     /// Name of the mode that is flown alone, with the disturbance `mode`; by default the first.
     pub mode: Option<String>,
@@ -33,24 +37,31 @@ pub struct ResponseRequest {
     pub steps: Option<usize>,
     /// Whether the same is flown in six degrees of freedom, without linearising.
     #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub nonlinear: bool,
     /// Whether each output is split into the parts of the modes.
     #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub split: bool,
 }
 
 /// The motion after a disturbance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Motion"))]
 pub struct ResponseReport {
     /// The aircraft.
     pub aircraft: AircraftReport,
     /// What was set on it, SI.
+    #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
     /// `longitudinal` or `lateral`.
+    #[cfg_attr(test, ts(type = "PlaneName"))]
     pub plane: &'static str,
     /// The disturbance by its name in a request.
+    #[cfg_attr(test, ts(type = "Disturbance"))]
     pub disturbance: &'static str,
     /// Its shape by its name in a request; null where it has one of its own.
+    #[cfg_attr(test, ts(type = "Shape | null"))]
     pub shape: Option<&'static str>,
     /// Name of the mode that is flown alone; null with other disturbances.
     pub mode: Option<&'static str>,
@@ -58,7 +69,7 @@ pub struct ResponseReport {
     pub time: Vec<f64>,
     /// What disturbs, at these times; none where the aircraft is let go.
     pub inputs: Vec<Signal>,
-    /// What moves, at these times, as a change from the steady flight: [`Output::of`] the plane, by [`Quantity::key`].
+    /// What moves, at these times, as a change from the steady flight: those of the plane, by their keys.
     pub outputs: Vec<Signal>,
     /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
     pub small_until: Option<f64>,
@@ -74,6 +85,7 @@ pub struct ResponseReport {
 
 /// One quantity over time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Signal {
     /// What it is.
     pub name: &'static str,

@@ -9,6 +9,7 @@ use crate::scenario::Quantity;
 
 /// An output split into the parts of the modes, or why it has no meaningful split.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum SplitOutcome {
     /// The parts.
@@ -24,6 +25,7 @@ pub enum SplitOutcome {
 
 /// The parts of an output; with `rest` they add up to it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Split"))]
 pub struct SplitReport {
     /// Name of the output.
     pub name: &'static str,
@@ -37,6 +39,7 @@ pub struct SplitReport {
 
 /// What one mode makes of an output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Part"))]
 pub struct PartReport {
     /// Name of the mode.
     pub mode: &'static str,

@@ -24,6 +24,7 @@ const HALVINGS: usize = 40;
 
 /// Which parameter goes from where to where.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 #[serde(deny_unknown_fields)]
 pub struct SweepRequest {
     /// Key of the parameter.
@@ -34,6 +35,7 @@ pub struct SweepRequest {
     pub to: f64,
     /// Number of values, both ends among them.
     #[serde(default = "some_points")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub points: usize,
 }
 
@@ -43,12 +45,15 @@ const fn some_points() -> usize {
 
 /// What a sweep found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Sweep"))]
 pub struct SweepReport {
     /// The aircraft.
     pub aircraft: AircraftReport,
     /// The unit of every number below, by the name of its field.
+    #[cfg_attr(test, ts(type = "Record<string, string>"))]
     pub units: Units,
     /// What else was set on it, SI.
+    #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
     /// Key of the parameter.
     pub parameter: &'static str,
@@ -62,6 +67,7 @@ pub struct SweepReport {
 
 /// One point of a sweep.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepPoint {
     /// Value of the parameter.
     pub value: f64,
@@ -75,10 +81,13 @@ pub struct SweepPoint {
 
 /// One plane at one point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepPlane {
     /// `stable`, `neutral` or `unstable`.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub static_stability: &'static str,
     /// That of the worst mode.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub dynamic_stability: &'static str,
     /// det A.
     pub determinant: f64,
@@ -88,6 +97,7 @@ pub struct SweepPlane {
 
 /// One mode at one point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepMode {
     /// What it is called.
     pub name: &'static str,
@@ -103,18 +113,23 @@ pub struct SweepMode {
 
 /// A change of verdict between two neighbouring points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepChange {
     /// The plane.
+    #[cfg_attr(test, ts(type = "PlaneName"))]
     pub plane: &'static str,
     /// `static` or `dynamic`.
+    #[cfg_attr(test, ts(type = "StabilityKind"))]
     pub stability: &'static str,
     /// The points before and after it.
     pub between: [f64; 2],
     /// Where it is, by bisection; one of them, should there be several between the two.
     pub at: f64,
     /// The verdict before.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub from: &'static str,
     /// The verdict after.
+    #[cfg_attr(test, ts(type = "Stability"))]
     pub to: &'static str,
 }
 
@@ -168,7 +183,7 @@ impl Sweep {
     pub fn report_of(&self, points: Vec<SweepPoint>) -> SweepReport {
         let mut changes = Vec::new();
         for &plane in &self.planes {
-            for kind in [Verdict::Static, Verdict::Dynamic] {
+            for kind in Verdict::ALL {
                 self.find_changes(plane, kind, &points, &mut changes);
             }
         }
@@ -262,7 +277,7 @@ impl Iterator for Sweep {
 impl ExactSizeIterator for Sweep {}
 
 #[derive(Clone, Copy)]
-enum Verdict {
+pub(super) enum Verdict {
     Static,
     Dynamic,
 }
@@ -271,7 +286,9 @@ enum Verdict {
 const NEUTRAL: &str = static_word(Stability::Neutral);
 
 impl Verdict {
-    const fn text(self) -> &'static str {
+    pub(super) const ALL: [Self; 2] = [Self::Static, Self::Dynamic];
+
+    pub(super) const fn text(self) -> &'static str {
         match self {
             Self::Static => "static",
             Self::Dynamic => "dynamic",

@@ -13,6 +13,7 @@ mod exports {
     use wasm_bindgen::JsValue;
     use wasm_bindgen::prelude::wasm_bindgen;
 
+    // The types that the signatures below name; `src/export/typescript.rs` writes them.
     #[wasm_bindgen(typescript_custom_section)]
     const TYPES: &str = include_str!("types.d.ts");
 

@@ -1,353 +1,564 @@
+// Written by a test of src/export/typescript.rs from the Rust types, whose comments these are.
 
-/**
- * Which aircraft, and what is set on it. One of `aircraft`, `toml` and `matrices`.
- */
-export interface Subject {
-  /** Key of an aircraft of the list, such as "navion". */
-  aircraft?: string;
-  /** Text of an aircraft file. */
-  toml?: string;
-  /** Text of bare matrices A and B with named states. */
-  matrices?: string;
-  /** How `matrices` is written; "m" is MATLAB. */
-  format?: "json" | "csv" | "m";
-  /** Name of the text in messages. */
-  file?: string;
-  /** Values by the keys of `parameters()`: SI, radians. */
-  set?: Record<string, number>;
-}
+/** Which aircraft was asked about. */
+export type Aircraft = {
+  /** Short name; `file` for bare matrices. */
+  key: string,
+  /** Name in words. */
+  name: string,
+  /** Flight condition in words. */
+  condition: string,
+  /** Where its numbers come from. */
+  source: string,
+  /** `verified` where every published number is reproduced, else `unverified`. */
+  status: Status,
+  /** Why, in a sentence or two. */
+  status_reason: string,
+  /** Class of MIL-F-8785C, our assignment. */
+  class: AircraftClass | null,
+  /** Flight-phase category of MIL-F-8785C, our assignment. */
+  phase: FlightPhase | null,
+  /** The planes of motion that it has data of. */
+  planes: Array<PlaneName>,
+};
 
-export interface ResponseRequest {
-  /** By default that of the disturbance, or the aircraft's first. */
-  plane?: PlaneName;
-  /** By default elevator or rudder. Its size is one of the `parameters()`. */
-  disturbance?: Disturbance;
-  /** By default that of the page; not every disturbance can have every shape. */
-  shape?: Shape;
-  /** Name of the mode flown alone, with the disturbance "mode". */
-  mode?: string;
-  /** Steps between the samples, 600 by default. */
-  steps?: number;
-  /** Whether the same is flown in six degrees of freedom, without linearising. */
-  nonlinear?: boolean;
-  /** Whether each output is split into the parts of the modes. */
-  split?: boolean;
-}
+export type AircraftClass = "I" | "II" | "II-C" | "III" | "IV";
 
-export type Disturbance =
-  | "elevator"
-  | "throttle"
-  | "vertical-gust"
-  | "head-gust"
-  | "rudder"
-  | "aileron"
-  | "side-gust"
-  | "turbulence"
-  | "release"
-  | "mode";
-export type Shape = "step" | "pulse" | "doublet" | "3-2-1-1" | "sine" | "sweep" | "1-cosine";
+/** What follows for an aircraft. */
+export type Analysis = {
+  /** The aircraft. */
+  aircraft: Aircraft,
+  /** The unit of every number below, by the name of its field; numbers without one are ratios. */
+  units: Record<string, string>,
+  /** What was set on it, SI. */
+  set: Record<string, number>,
+  /** Longitudinal motion, x = [u, w, q, θ]; null where the aircraft has no data of it. */
+  longitudinal: PlaneOutcome | null,
+  /** Lateral–directional motion, x = [v, p, r, φ]. */
+  lateral: PlaneOutcome | null,
+  /** Static margin in mean chords, positive where stable; of an aircraft given by coefficients only. */
+  static_margin: number | null,
+  /** Manoeuvre margin in mean chords. */
+  manoeuvre_margin: number | null,
+  /** False where gravity and speed of the model can't belong to one system of units. */
+  gravity_is_plausible: boolean | null,
+};
 
-export interface FrequencyRequest {
-  /** By default that of the disturbance, else that of the output, else the aircraft's first. */
-  plane?: PlaneName;
-  /** By default elevator or rudder. */
-  disturbance?: Exclude<Disturbance, "turbulence" | "release" | "mode">;
-  /** Name of an output, as `respond()` gives them; "q" or "beta" by default. */
-  output?: string;
-  /** First angular frequency in rad/s, by default below all modes. */
-  from?: number;
-  /** Last angular frequency in rad/s, by default above all modes. */
-  to?: number;
-  /** Number of frequencies, 400 by default. */
-  points?: number;
-}
+/** A textbook approximation beside the exact mode. */
+export type Approximation = {
+  /** The mode that it approximates. */
+  mode: string,
+  /** What it is called. */
+  name: string,
+  /** Its formula. */
+  formula: string,
+  /** What it leaves out. */
+  neglects: string,
+  /** What it gives; null where it gives nothing. */
+  value: ModeValue | null,
+  /** The exact mode; null where the aircraft has none. */
+  exact: ModeValue | null,
+  /** Relative error of ωₙ or of the root. */
+  error: number | null,
+  /** Relative error of ζ. */
+  damping_error: number | null,
+};
 
-export interface SweepRequest {
-  /** Key of the parameter. */
-  parameter: string;
-  /** First value, SI. */
-  from: number;
-  /** Last value, SI. */
-  to: number;
-  /** Number of values, 51 by default. */
-  points?: number;
-}
+export type ControlOrGust = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust";
 
-export type Stability = "stable" | "neutral" | "unstable";
+export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust" | "turbulence" | "release" | "mode";
+
+/** Figures of a motion: of its samples from the first to where it is no small disturbance any more, at 1,200 steps or more. */
+export type Figures = {
+  /** When the disturbance begins [s]: times after it count from here. */
+  start: number,
+  /** Of each output, in their order. */
+  outputs: Array<OutputFigures>,
+  /** Largest change of the load factor, normal or lateral after the plane, with its sign. */
+  peak_load_factor: Peak | null,
+  /** Time after the start at which the bank angle first is 30° either way [s]; of lateral motion but in turbulence. */
+  time_to_bank: number | null,
+  /** Height between the first two turning points of the phugoid's part of the height [m]; of longitudinal motion but in turbulence. */
+  phugoid_swing: number | null,
+  /** First pitch acceleration over the load factor at which the short period settles [rad/s² per g]; of the elevator. */
+  control_anticipation: number | null,
+};
+
+/** A nonlinear flight in six degrees of freedom. */
+export type Flight = {
+  /** Times of its samples [s]: those of the linear motion until it stops, and on where that is cut. */
+  time: Array<number>,
+  /** What moves, as a change from the steady flight, in the order of the linear motion's outputs. */
+  outputs: Array<Signal>,
+  /** Where and why it stopped; null where it flew to the end. */
+  stop: Stop | null,
+};
+
+/** A nonlinear flight, or why there is none. */
+export type FlightOutcome = Flight | {
+  /** In one sentence. */
+  error: string,
+};
+
+export type FlightPhase = "A-combat" | "A" | "B" | "C";
+
+/** Of what to what, and where. */
+export type FrequencyRequest = {
+  /** `longitudinal` or `lateral`; by default that of the disturbance, else that of the output, else the aircraft's first. */
+  plane?: PlaneName,
+  /** What disturbs by one channel, a control or a gust; by default the plane's first, elevator or rudder. */
+  disturbance?: ControlOrGust,
+  /** Key of an output, as a motion names them; by default the pitch rate `q` or the sideslip `beta`. */
+  output?: string,
+  /** First angular frequency [rad/s]; by default below all modes, on a whole decade. */
+  from?: number,
+  /** Last angular frequency [rad/s]; by default above all modes, on a whole decade. */
+  to?: number,
+  /** Number of frequencies, evenly spread over a logarithmic axis, both ends among them; 400 by default. */
+  points?: number,
+};
+
+/** A frequency response. */
+export type FrequencyResponse = {
+  /** The aircraft. */
+  aircraft: Aircraft,
+  /** What was set on it, SI. */
+  set: Record<string, number>,
+  /** `longitudinal` or `lateral`. */
+  plane: PlaneName,
+  /** The disturbance by its name in a request. */
+  disturbance: ControlOrGust,
+  /** What enters: air is positive forward, downward and to the right, whatever the sense of the disturbance's size. */
+  input: Measured,
+  /** What moves. */
+  output: Measured,
+  /** Unit of the gain: that of the output for one of the input. */
+  gain_unit: string,
+  /** Angular frequencies ω [rad/s]; without those at which the response is infinite. */
+  frequency: Array<number>,
+  /** Gain |G(jω)|, one a frequency. */
+  gain: Array<number>,
+  /** Phase of G(jω) [rad], one a frequency: continuous, and between −π and π at the first. */
+  phase: Array<number>,
+  /** Local maxima of the gain in order, with the oscillations that make them. */
+  peaks: Array<GainPeak>,
+};
+
+/** A local maximum of the gain. */
+export type GainPeak = {
+  /** Name of the oscillation nearest in frequency. */
+  mode: string,
+  /** Its angular frequency [rad/s], to seven digits or so: a maximum is flat. */
+  frequency: number,
+  /** Gain there. */
+  gain: number,
+};
+
+/** A value that was judged. */
+export type JudgedValue = {
+  /** Its symbol. */
+  symbol: string,
+  /** The value. */
+  value: number,
+  /** Its unit. */
+  unit: string,
+};
+
+/** A level of handling qualities. */
+export type Level = {
+  /** What was judged. */
+  criterion: string,
+  /** `Level 1` to `Level 3`, or `Worse than Level 3`. */
+  level: string,
+  /** Whether a value equals a limit to three digits. */
+  on_boundary: boolean,
+  /** Paragraph of MIL-F-8785C. */
+  paragraph: string,
+  /** Its table or figure, and page. */
+  table: string,
+  /** The values judged. */
+  values: Array<JudgedValue>,
+  /** The verdict with the limit that governs it, in one sentence. */
+  sentence: string,
+};
+
+export type MatrixFormat = "json" | "csv" | "m";
+
+/** A quantity and its unit. */
+export type Measured = {
+  /** What it is. */
+  name: string,
+  /** Its SI unit; empty for a ratio, as the throttle's. */
+  unit: string,
+};
+
+/** One mode. */
+export type Mode = {
+  /** What it is called. */
+  name: string,
+  /** Why, with numbers. */
+  reason: string,
+  /** Share of the mode in the states that gave it its name, 0 to 1. */
+  confidence: number,
+  /** Real part σ of its eigenvalue. */
+  re: number,
+  /** Imaginary part ω ≥ 0 of its eigenvalue; positive stands for the pair σ ± jω. */
+  im: number,
+  /** `stable`, `neutral` or `unstable`. */
+  stability: Stability,
+  /** ωₙ, of an oscillation. */
+  natural_frequency: number | null,
+  /** ζ, negative when it grows; of an oscillation. */
+  damping_ratio: number | null,
+  /** ω_d, of an oscillation. */
+  damped_frequency: number | null,
+  /** T, of an oscillation. */
+  period: number | null,
+  /** t½, of what dies away. */
+  time_to_half: number | null,
+  /** t₂, of what grows. */
+  time_to_double: number | null,
+  /** Oscillations until the amplitude has halved or doubled. */
+  cycles: number | null,
+  /** τ = −1/λ, of a real mode. */
+  time_constant: number | null,
+  /** Share of each state, adding up to 1. */
+  participation: [number, number, number, number],
+  /** Right eigenvector of unit length, [real, imaginary] of each state. */
+  eigenvector: [[number, number], [number, number], [number, number], [number, number]],
+  /** Left eigenvector l of unit length, lᴴ A = λ lᴴ. */
+  left_eigenvector: [[number, number], [number, number], [number, number], [number, number]],
+  /** How far λ moves at worst for a relative change of A: 1 at best, 1e16 at a repeated root. */
+  condition: number,
+};
+
+/** What an approximation or a mode is. */
+export type ModeValue = {
+  /** ωₙ. */
+  natural_frequency: number,
+  /** ζ, where the approximation gives one. */
+  damping_ratio: number | null,
+} | {
+  /** λ. */
+  root: number,
+};
+
+/** The motion after a disturbance. */
+export type Motion = {
+  /** The aircraft. */
+  aircraft: Aircraft,
+  /** What was set on it, SI. */
+  set: Record<string, number>,
+  /** `longitudinal` or `lateral`. */
+  plane: PlaneName,
+  /** The disturbance by its name in a request. */
+  disturbance: Disturbance,
+  /** Its shape by its name in a request; null where it has one of its own. */
+  shape: Shape | null,
+  /** Name of the mode that is flown alone; null with other disturbances. */
+  mode: string | null,
+  /** Times of the samples [s]. */
+  time: Array<number>,
+  /** What disturbs, at these times; none where the aircraft is let go. */
+  inputs: Array<Signal>,
+  /** What moves, at these times, as a change from the steady flight: those of the plane, by their keys. */
+  outputs: Array<Signal>,
+  /** Time [s] from which the motion is no small disturbance any more, so that the linear model means nothing. */
+  small_until: number | null,
+  /** Time [s] of the first sample left out, where the motion had outgrown numbers worth having. */
+  cut_at: number | null,
+  /** Figures of the motion while it is a small disturbance. */
+  figures: Figures,
+  /** The parts of the modes in each of the outputs; null where they weren't asked for. */
+  split: Array<SplitOutcome> | null,
+  /** The same without linearising; null where it wasn't asked for. */
+  nonlinear: FlightOutcome | null,
+};
+
+/** Figures of one output, in its SI unit. */
+export type OutputFigures = {
+  /** Name of the output. */
+  name: string,
+  /** Its SI unit; empty for a ratio. */
+  unit: string,
+  /** Value farthest from zero. */
+  peak: Peak | null,
+  /** Value that it goes to after a step; null where it goes to none. */
+  steady: number | null,
+  /** Time from 10 % to 90 % of the steady value, both for the first time [s]. */
+  rise_time: number | null,
+  /** Time after the step from which it stays within 2 % of the steady value [s]. */
+  settling_time: number | null,
+  /** How far it goes beyond the steady value, as a fraction of it; null where it hasn't and may yet. */
+  overshoot: number | null,
+};
+
+/** A parameter that can be set on an aircraft. */
+export type Parameter = {
+  /** Its key, in `set` and in a sweep. */
+  key: string,
+  /** Name in words. */
+  name: string,
+  /** What it means. */
+  meaning: string,
+  /** The sign that stabilises, or what the sign does. */
+  sign: string,
+  /** SI unit of the numbers below; empty for a ratio. */
+  unit: string,
+  /** `longitudinal` or `lateral`; null for both. */
+  plane: PlaneName | null,
+  /** Value on this aircraft. */
+  value: number,
+  /** Where a slider begins and ends: what is physical. */
+  slider: [number, number],
+  /** Least and greatest value that is accepted. */
+  accepted: [number, number],
+};
+
+/** What one mode makes of an output. */
+export type Part = {
+  /** Name of the mode. */
+  mode: string,
+  /** One a time. */
+  values: Array<number>,
+};
+
+/** A value farthest from zero. */
+export type Peak = {
+  /** The value, with its sign. */
+  value: number,
+  /** When [s]. */
+  time: number,
+};
+
+/** What follows for one plane of motion. */
+export type Plane = {
+  /** Names of the states, in the order of the rows and columns. */
+  states: [string, string, string, string],
+  /** Names of the inputs, in the order of the columns of B. */
+  inputs: [string, string],
+  /** State matrix, row by row. */
+  a: [[number, number, number, number], [number, number, number, number], [number, number, number, number], [number, number, number, number]],
+  /** Input matrix, row by row. */
+  b: [[number, number], [number, number], [number, number], [number, number]],
+  /** The steady flight. */
+  trim: Trim,
+  /** All four eigenvalues as [real part, imaginary part], each pair with both, in the order of the modes. */
+  eigenvalues: Array<[number, number]>,
+  /** The modes, each conjugate pair once. */
+  modes: Array<Mode>,
+  /** `stable`, `neutral` or `unstable`: that of the worst mode. */
+  dynamic_stability: Stability,
+  /** Static stability, a verdict of its own. */
+  static_stability: StaticStability,
+  /** Textbook approximations beside the exact modes. */
+  approximations: Array<Approximation>,
+  /** Handling qualities after MIL-F-8785C, where the aircraft has a class. */
+  levels: Array<Level>,
+};
+
 export type PlaneName = "longitudinal" | "lateral";
 
-export interface Aircraft {
-  /** Short name; "file" for bare matrices. */
-  key: string;
-  name: string;
-  condition: string;
-  source: string;
-  status: "verified" | "unverified";
-  status_reason: string;
-  /** Class of MIL-F-8785C. */
-  class: string | null;
-  /** Flight-phase category of MIL-F-8785C. */
-  phase: string | null;
-  planes: PlaneName[];
-}
+/** What follows for one plane, or why nothing does. */
+export type PlaneOutcome = Plane | {
+  /** In one sentence. */
+  error: string,
+};
 
-export interface Parameter {
-  key: string;
-  name: string;
-  meaning: string;
-  sign: string;
-  /** SI unit; empty for a ratio. */
-  unit: string;
-  plane: PlaneName | null;
-  value: number;
-  slider: [number, number];
-  accepted: [number, number];
-}
+/** Which disturbance, how finely its motion is wanted, and what else of it. */
+export type ResponseRequest = {
+  /** `longitudinal` or `lateral`; by default that of the disturbance, and the aircraft's first where it can be both. */
+  plane?: PlaneName,
+  /** What disturbs; by default the plane's first, elevator or rudder. Its size is a parameter. */
+  disturbance?: Disturbance,
+  /** Its shape in time, of those it can have; by default that of the page. */
+  shape?: Shape,
+  /** Name of the mode that is flown alone, with the disturbance `mode`; by default the first. */
+  mode?: string,
+  /** Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s. */
+  steps?: number,
+  /** Whether the same is flown in six degrees of freedom, without linearising. */
+  nonlinear?: boolean,
+  /** Whether each output is split into the parts of the modes. */
+  split?: boolean,
+};
 
-export interface Analysis {
-  aircraft: Aircraft;
-  /** Unit of each field, by its name. */
-  units: Record<string, string>;
-  set: Record<string, number>;
-  /** null where the aircraft has no data of it. */
-  longitudinal: Plane | { error: string } | null;
-  lateral: Plane | { error: string } | null;
-  /** In mean chords; of an aircraft given by coefficients. */
-  static_margin: number | null;
-  manoeuvre_margin: number | null;
-  /** False where gravity and speed can't belong to one system of units. */
-  gravity_is_plausible: boolean | null;
-}
+export type Shape = "step" | "pulse" | "doublet" | "3-2-1-1" | "sine" | "sweep" | "1-cosine";
 
-export interface Plane {
-  /** Names of the states in the order of rows and columns. */
-  states: string[];
-  /** Names of the inputs in the order of the columns of B. */
-  inputs: string[];
-  /** A, row by row. */
-  a: number[][];
-  /** B, row by row. */
-  b: number[][];
-  trim: { speed: number; alpha0: number; gamma0: number; gravity: number };
-  /** All four as [real, imaginary]. */
-  eigenvalues: [number, number][];
-  /** Each conjugate pair once. */
-  modes: Mode[];
-  dynamic_stability: Stability;
-  static_stability: StaticStability;
-  approximations: Approximation[];
-  levels: Level[];
-}
+/** One quantity over time. */
+export type Signal = {
+  /** What it is. */
+  name: string,
+  /** Its SI unit; empty for a ratio. */
+  unit: string,
+  /** Its values, one a time. */
+  values: Array<number>,
+};
 
-export interface Mode {
-  name: string;
-  reason: string;
-  confidence: number;
-  re: number;
-  /** Not negative; positive stands for the pair. */
-  im: number;
-  stability: Stability;
-  natural_frequency: number | null;
-  /** Negative when the oscillation grows. */
-  damping_ratio: number | null;
-  damped_frequency: number | null;
-  period: number | null;
-  time_to_half: number | null;
-  time_to_double: number | null;
-  cycles: number | null;
-  time_constant: number | null;
-  /** Share of each state, adding up to 1. */
-  participation: number[];
-  /** [real, imaginary] of each state, of unit length. */
-  eigenvector: [number, number][];
-  left_eigenvector: [number, number][];
-  condition: number;
-}
-
-export interface StaticStability {
-  verdict: Stability;
-  /** det A. */
-  determinant: number;
-  /** Whether the stiffnesses are derivatives as such; else entries of A, with other derivatives folded in. */
-  plain_derivatives: boolean;
-  pitch_stiffness?: number;
-  to_manoeuvre_point?: number | null;
-  weathercock_stiffness?: number;
-  dihedral_effect?: number;
-  spiral_condition?: number;
-}
-
-export interface Approximation {
-  mode: string;
-  name: string;
-  formula: string;
-  neglects: string;
-  value: ModeValue | null;
-  exact: ModeValue | null;
-  /** Relative error of the frequency or the root. */
-  error: number | null;
-  /** Relative error of the damping ratio. */
-  damping_error: number | null;
-}
-
-export type ModeValue = { natural_frequency: number; damping_ratio: number | null } | { root: number };
-
-export interface Level {
-  criterion: string;
-  level: string;
-  on_boundary: boolean;
-  paragraph: string;
-  table: string;
-  values: { symbol: string; value: number; unit: string }[];
-  sentence: string;
-}
-
-export interface Motion {
-  aircraft: Aircraft;
-  set: Record<string, number>;
-  plane: PlaneName;
-  disturbance: Disturbance;
-  /** null where the disturbance has one of its own. */
-  shape: Shape | null;
-  mode: string | null;
-  /** Seconds. */
-  time: number[];
-  /** What disturbs; none where the aircraft is let go. */
-  inputs: Signal[];
-  /** What moves, as a change from the steady flight. */
-  outputs: Signal[];
-  /** Seconds; null if the motion stays small. */
-  small_until: number | null;
-  /** Seconds; null if all samples are there. */
-  cut_at: number | null;
-  /** Of the motion while it is a small disturbance, at 1,200 steps or more. */
-  figures: Figures;
-  /** One an output; null where it wasn't asked for. */
-  split: (Split | { name: string; error: string })[] | null;
-  /** Null where it wasn't asked for. */
-  nonlinear: Flight | { error: string } | null;
-}
-
-export interface Figures {
-  /** When the disturbance begins, in seconds. */
-  start: number;
-  outputs: OutputFigures[];
-  /** Largest change, in g: normal or lateral after the plane. */
-  peak_load_factor: Peak | null;
-  /** Seconds after the start to 30° of bank either way; of lateral motion. */
-  time_to_bank: number | null;
-  /** Metres between the first two turning points of the phugoid's part of the height. */
-  phugoid_swing: number | null;
-  /** rad/s² per g; of the elevator. */
-  control_anticipation: number | null;
-}
-
-export interface OutputFigures {
-  name: string;
-  /** SI unit; empty for a ratio. */
-  unit: string;
-  /** Farthest from zero. */
-  peak: Peak | null;
-  /** What it goes to after a step; null where it goes to nothing. */
-  steady: number | null;
-  /** Seconds from 10 % to 90 % of the steady value. */
-  rise_time: number | null;
-  /** Seconds after the step until it stays within 2 % of the steady value. */
-  settling_time: number | null;
-  /** As a fraction of the steady value; null where it hasn't gone beyond it and may yet. */
-  overshoot: number | null;
-}
-
-export interface Peak {
-  value: number;
-  /** Seconds. */
-  time: number;
-}
-
-export interface Split {
-  name: string;
-  unit: string;
-  /** One a mode; with `rest` they add up to the output. */
-  parts: { mode: string; values: number[] }[];
+/** The parts of an output; with `rest` they add up to it. */
+export type Split = {
+  /** Name of the output. */
+  name: string,
+  /** Its SI unit; empty for a ratio. */
+  unit: string,
+  /** One a mode, in the order of the modes. */
+  parts: Array<Part>,
   /** What no mode makes: what the input does at once, and the drift of the path. */
-  rest: number[];
-}
+  rest: Array<number>,
+};
 
-export interface Flight {
-  /** Seconds: the samples until it stops. */
-  time: number[];
-  /** As a change from the steady flight, in the order of the linear outputs. */
-  outputs: Signal[];
-  /** Null where it flew to the end. */
-  stop: { time: number; sentence: string } | null;
-}
+/** An output split into the parts of the modes, or why it has no meaningful split. */
+export type SplitOutcome = Split | {
+  /** Name of the output. */
+  name: string,
+  /** In one sentence. */
+  error: string,
+};
 
-export interface Signal {
-  name: string;
-  /** SI unit; empty for a ratio. */
-  unit: string;
-  /** One a time. */
-  values: number[];
-}
+export type Stability = "stable" | "neutral" | "unstable";
 
-export interface FrequencyResponse {
-  aircraft: Aircraft;
-  set: Record<string, number>;
-  plane: PlaneName;
-  disturbance: Disturbance;
-  /** Air is positive forward, downward and to the right. */
-  input: { name: string; unit: string };
-  output: { name: string; unit: string };
-  /** Unit of the output for one of the input. */
-  gain_unit: string;
-  /** rad/s. */
-  frequency: number[];
-  /** One a frequency. */
-  gain: number[];
-  /** Radians, one a frequency, continuous. */
-  phase: number[];
-  /** Local maxima of the gain, with the oscillation nearest in frequency. */
-  peaks: { mode: string; frequency: number; gain: number }[];
-}
+export type StabilityKind = "static" | "dynamic";
 
-export interface Sweep {
-  aircraft: Aircraft;
-  units: Record<string, string>;
-  set: Record<string, number>;
-  parameter: string;
-  unit: string;
-  points: SweepPoint[];
-  changes: SweepChange[];
-}
+/** Static stability of a plane. */
+export type StaticStability = {
+  /** `stable`, `neutral` or `unstable`, from the sign of det A. */
+  verdict: Stability,
+  /** det A. */
+  determinant: number,
+  /** Whether the stiffnesses are derivatives as such; else entries of A, with ẇ terms or product of inertia folded in. */
+  plain_derivatives: boolean,
+} & ({
+  /** M_w, negative is restoring. */
+  pitch_stiffness: number,
+  /** By how much M_w would have to grow to come to the manoeuvre point. */
+  to_manoeuvre_point: number | null,
+} | {
+  /** N_v, positive is restoring. */
+  weathercock_stiffness: number,
+  /** L_v, negative is restoring. */
+  dihedral_effect: number,
+  /** L'v N'r − N'v L'r, positive is a stable spiral in level flight. */
+  spiral_condition: number,
+});
 
-export interface SweepPoint {
-  value: number;
-  /** null where there is no data or the parameter doesn't move it. */
-  longitudinal: SweepPlane | null;
-  lateral: SweepPlane | null;
-  /** Why a plane has no modes here. */
-  error: string | null;
-}
+export type Status = "verified" | "unverified";
 
-export interface SweepPlane {
-  static_stability: Stability;
-  dynamic_stability: Stability;
-  determinant: number;
-  modes: {
-    name: string;
-    re: number;
-    im: number;
-    natural_frequency: number | null;
-    damping_ratio: number | null;
-  }[];
-}
+/** Where a flight stopped. */
+export type Stop = {
+  /** When [s]. */
+  time: number,
+  /** Why, with the time, in one sentence. */
+  sentence: string,
+};
 
-export interface SweepChange {
-  plane: PlaneName;
-  stability: "static" | "dynamic";
-  between: [number, number];
-  at: number;
-  from: Stability;
-  to: Stability;
-}
+/** Which aircraft, and what is set on it: one of `aircraft`, `toml` and `matrices`. */
+export type Subject = {
+  /** Key of an aircraft of the list, such as `navion`. */
+  aircraft?: string,
+  /** Text of an aircraft file. */
+  toml?: string,
+  /** Text of bare matrices A and B with named states. */
+  matrices?: string,
+  /** How `matrices` is written; `m` is MATLAB. */
+  format?: MatrixFormat,
+  /** Name of the text in messages. */
+  file?: string,
+  /** Values by the keys of the parameters [SI, radians]. */
+  set?: { [key in string]: number },
+};
 
+/** What a sweep found. */
+export type Sweep = {
+  /** The aircraft. */
+  aircraft: Aircraft,
+  /** The unit of every number below, by the name of its field. */
+  units: Record<string, string>,
+  /** What else was set on it, SI. */
+  set: Record<string, number>,
+  /** Key of the parameter. */
+  parameter: string,
+  /** Its SI unit: that of `value`, `between` and `at`. */
+  unit: string,
+  /** The points in order. */
+  points: Array<SweepPoint>,
+  /** Where a verdict changes. */
+  changes: Array<SweepChange>,
+};
+
+/** A change of verdict between two neighbouring points. */
+export type SweepChange = {
+  /** The plane. */
+  plane: PlaneName,
+  /** `static` or `dynamic`. */
+  stability: StabilityKind,
+  /** The points before and after it. */
+  between: [number, number],
+  /** Where it is, by bisection; one of them, should there be several between the two. */
+  at: number,
+  /** The verdict before. */
+  from: Stability,
+  /** The verdict after. */
+  to: Stability,
+};
+
+/** One mode at one point. */
+export type SweepMode = {
+  /** What it is called. */
+  name: string,
+  /** Real part. */
+  re: number,
+  /** Imaginary part, not negative. */
+  im: number,
+  /** ωₙ, of an oscillation. */
+  natural_frequency: number | null,
+  /** ζ, of an oscillation. */
+  damping_ratio: number | null,
+};
+
+/** One plane at one point. */
+export type SweepPlane = {
+  /** `stable`, `neutral` or `unstable`. */
+  static_stability: Stability,
+  /** That of the worst mode. */
+  dynamic_stability: Stability,
+  /** det A. */
+  determinant: number,
+  /** The modes. */
+  modes: Array<SweepMode>,
+};
+
+/** One point of a sweep. */
+export type SweepPoint = {
+  /** Value of the parameter. */
+  value: number,
+  /** Longitudinal motion; null where the aircraft has no data of it or the parameter doesn't move it. */
+  longitudinal: SweepPlane | null,
+  /** Lateral–directional motion, likewise. */
+  lateral: SweepPlane | null,
+  /** Why a plane that has data has no modes here. */
+  error: string | null,
+};
+
+/** Which parameter goes from where to where. */
+export type SweepRequest = {
+  /** Key of the parameter. */
+  parameter: string,
+  /** First value [SI]. */
+  from: number,
+  /** Last value [SI]. */
+  to: number,
+  /** Number of values, both ends among them. */
+  points?: number,
+};
+
+/** A steady flight. */
+export type Trim = {
+  /** True airspeed V. */
+  speed: number,
+  /** Angle of attack of the x axis; zero in stability axes. */
+  alpha0: number,
+  /** Flight-path angle, climbing positive. */
+  gamma0: number,
+  /** Acceleration of free fall. */
+  gravity: number,
+};
