@@ -15,6 +15,7 @@
 //! | [`shape`] | what an aircraft looks like: faces lofted from its geometry, in the order to draw them | files, colours, screens |
 //! | [`content`] | the aircraft that ship with the page, read and checked once; files from elsewhere, as text | egui, web |
 //! | [`scenario`] | what is being studied, the one table of adjustable quantities, and the scene as a link | egui, web |
+//! | [`words`] | sentences for what follows | egui, files |
 //! | [`export`] | what other programs ask and read, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
 //! | `web` (in a browser), `main.rs` (feature `app`) | a canvas, a window | how anything is computed or drawn |
@@ -32,3 +33,4 @@ pub mod shape;
 pub mod ui;
 #[cfg(all(feature = "app", target_arch = "wasm32"))]
 pub mod web;
+pub mod words;

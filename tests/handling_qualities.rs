@@ -5,10 +5,12 @@ mod reference;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
 use eigenwing::flight::modes::mode::{modes, modes_of};
 use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::modes::reason::Fact;
 use eigenwing::flight::verdicts::handling_qualities::{
     Level, Verdict, handling_qualities, load_factor_slope, phi_to_beta,
 };
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class, Criterion, Quantity};
+use eigenwing::words;
 use nalgebra::Matrix4;
 use proptest::prelude::*;
 use reference::{all_models, reference};
@@ -59,7 +61,12 @@ fn levels_are_those_of_the_reference_for_every_case() {
             let mut check = |model: &PlaneModel, criterion: Criterion, level: &Value| {
                 let found = verdict(model, class, category, criterion);
                 let expected = level.as_u64().expect("a level");
-                assert_eq!(found.level as u64 + 1, expected, "{id} {letter} {}", found.sentence());
+                assert_eq!(
+                    found.level as u64 + 1,
+                    expected,
+                    "{id} {letter} {}",
+                    words::verdict::sentence(&found)
+                );
                 compared += 1;
                 found
             };
@@ -90,7 +97,7 @@ fn the_x15_is_on_the_boundary_and_the_navion_is_not() {
     let found = verdict(&x15, Class::II, Category::A, Criterion::ShortPeriodDamping);
     assert!(found.on_boundary && found.level == Level::Two);
     assert_eq!(
-        found.sentence(),
+        words::verdict::sentence(&found),
         "Level 2, on the boundary: ζ is 0.350, Level 1 asks 0.350 to 1.30 (MIL-F-8785C 3.2.2.1.2, Table IV, p. 13, Category A)."
     );
     let navion = reference("navion_teper_sl").model(Plane::Longitudinal);
@@ -101,7 +108,7 @@ fn the_x15_is_on_the_boundary_and_the_navion_is_not() {
 #[test]
 fn a_sentence_tells_both_limits() {
     let navion = reference("navion_teper_sl").model(Plane::Longitudinal);
-    let sentence = |criterion| verdict(&navion, Class::I, Category::B, criterion).sentence();
+    let sentence = |criterion| words::verdict::sentence(&verdict(&navion, Class::I, Category::B, criterion));
     let damping = sentence(Criterion::ShortPeriodDamping);
     assert!(damping.contains("lies within Level 1’s 0.300 to 2.00 (MIL-F-8785C"), "{damping}");
     let frequency = sentence(Criterion::ShortPeriodFrequency);
@@ -115,7 +122,7 @@ fn a_stable_spiral_tells_the_limit_that_it_cannot_miss() {
     for (category, limit) in [(Category::B, "20.0 s"), (Category::C, "12.0 s")] {
         let found = verdict(&navion, Class::I, category, Criterion::Spiral);
         assert!(found.level == Level::One && found.governing.is_none());
-        let sentence = found.sentence();
+        let sentence = words::verdict::sentence(&found);
         assert!(
             sentence.contains(&format!("never doubles, Level 1 asks T₂ of at least {limit}")),
             "{sentence}"
@@ -135,7 +142,8 @@ fn an_overdamped_short_period_is_judged_as_one_motion_and_says_so() {
     let found = verdict(&model, Class::I, Category::B, Criterion::ShortPeriodDamping);
     let zeta = value(&found, Quantity::DampingRatio);
     assert!((zeta - 1.25).abs() < 0.1, "{zeta}");
-    assert!(found.sentence().contains(", its two real roots taken as one motion ("), "{}", found.sentence());
+    let sentence = words::verdict::sentence(&found);
+    assert!(sentence.ends_with("). Its two real roots are taken as one motion."), "{sentence}");
     for name in [ModeName::ShortPeriod, ModeName::ShortPeriodFastRoot, ModeName::ShortPeriodSlowRoot] {
         assert!(found.criterion.judges(name));
     }
@@ -153,7 +161,10 @@ fn the_747_on_approach_fails_by_the_product_not_by_the_ratio() {
     let governing = found.governing.expect("a limit");
     assert_eq!((governing.requirement.quantity, governing.of), (Quantity::DampingProduct, Level::One));
     assert!((governing.distance() - (0.10 - 0.0806605)).abs() < 1e-6);
-    assert_eq!((found.paragraph, found.table), ("3.3.1.1", "Table VI, p. 22"));
+    assert_eq!(
+        words::verdict::citation(found.criterion, found.category),
+        "MIL-F-8785C 3.3.1.1, Table VI, p. 22"
+    );
 }
 
 #[test]
@@ -171,7 +182,7 @@ fn more_bank_than_sideslip_asks_for_more_damping() {
         let rule = wn * wn * phi_to_beta(&model, &all[0]).expect("|φ/β|");
         let plain = zeta >= 0.08 && product >= 0.15 && wn >= 0.4;
         let raised = product >= 0.15 + 0.014 * (rule - 20.0).max(0.0);
-        assert_eq!(found.level == Level::One, plain && raised, "{}", found.sentence());
+        assert_eq!(found.level == Level::One, plain && raised, "{}", words::verdict::sentence(&found));
         failed_by_the_rule += usize::from(plain && !raised);
     }
     assert!(failed_by_the_rule > 0);
@@ -216,7 +227,8 @@ fn a_coupled_roll_spiral_is_judged_by_its_product_and_not_allowed_in_category_a(
     // ζωₙ = 0.4
     assert_eq!(level(Category::B), Level::Two);
     assert_eq!(level(Category::A), Level::Beyond);
-    let sentence = verdict(&coupled(), Class::I, Category::A, Criterion::CoupledRollSpiral).sentence();
+    let found = verdict(&coupled(), Class::I, Category::A, Criterion::CoupledRollSpiral);
+    let sentence = words::verdict::sentence(&found);
     assert!(sentence.contains("is allowed in this category"), "{sentence}");
 }
 
@@ -241,7 +253,7 @@ fn a_roll_that_grows_is_worse_than_level_3() {
     model.a[(1, 3)] = -0.19;
     let all = modes_of(Plane::Lateral, &model.a).expect("modes");
     let roll = all.iter().find(|m| m.naming.name == ModeName::RollSubsidence).expect("a roll");
-    assert!((roll.lambda.re - 1.9).abs() < 1e-9 && roll.naming.reason.contains("grows"));
+    assert!((roll.lambda.re - 1.9).abs() < 1e-9 && roll.naming.reason.facts.contains(&Fact::RollDriven));
     assert_eq!(verdict(&model, Class::I, Category::B, Criterion::RollMode).level, Level::Beyond);
 }
 
@@ -258,7 +270,7 @@ proptest! {
                 for found in handling_qualities(&model, &all, class, category) {
                     prop_assert!(found.values.iter().all(|(_, value)| value.is_finite()), "{:?}", found);
                     prop_assert!(found.governing.is_none_or(|g| g.requirement.limit.is_finite()), "{:?}", found);
-                    prop_assert!(found.sentence().ends_with("p. 12).") || found.sentence().contains("MIL-F-8785C 3."));
+                    prop_assert!(words::verdict::sentence(&found).contains("(MIL-F-8785C 3."));
                 }
             }
         }

@@ -71,7 +71,7 @@ fn reachable_targets_are_reached_with_the_least_change() {
         let to = from + Complex::new(re, im);
         let found = place_pole(&model, &parameters, from, to).expect("an answer");
         assert_within(&found, &parameters);
-        assert_eq!(found.out_of_reach, None, "{}", found.sentence());
+        assert_eq!(found.out_of_reach, None, "{found:?}");
         let a = model(&found.values).expect("a model");
         let reached = mode(Plane::Longitudinal, &a, ModeName::ShortPeriod).lambda;
         assert!((reached - to).norm() < 1e-9, "{reached} {to}");
@@ -107,7 +107,7 @@ fn with_m_w_alone_the_damping_rate_is_out_of_reach() {
     let from = short_period();
     let found = place_pole(&model, &parameters, from, from + Complex::new(1.5, 1.5)).expect("an answer");
     assert_within(&found, &parameters);
-    assert_eq!(found.out_of_reach, Some(OutOfReach::Both), "{}", found.sentence());
+    assert_eq!(found.out_of_reach, Some(OutOfReach::Both), "{found:?}");
     // The nearest point: what is left is at a right angle to the way the pole can go.
     let left = (from + Complex::new(1.5, 1.5)) - found.lambda;
     assert!((left.re - 1.5).abs() < 0.02 && left.im.abs() < 0.02, "{left}");
@@ -123,13 +123,13 @@ fn bounds_stop_the_search_and_the_nearest_point_is_told() {
     // Twice the frequency at the same damping.
     let found = place_pole(&model, &parameters, from, from * 2.0).expect("an answer");
     assert_within(&found, &parameters);
-    assert_eq!(found.out_of_reach, Some(OutOfReach::Frequency), "{}", found.sentence());
+    assert_eq!(found.out_of_reach, Some(OutOfReach::Frequency), "{found:?}");
     assert!(found.values.iter().zip(&parameters).all(|(v, p)| *v == p.lower || *v == p.upper));
     assert!((found.lambda - from * 2.0).norm() < from.norm());
     // The same frequency without damping.
     let undamped = Complex::new(0.0, from.norm());
     let found = place_pole(&model, &parameters, from, undamped).expect("an answer");
-    assert_eq!(found.out_of_reach, Some(OutOfReach::Damping), "{}", found.sentence());
+    assert_eq!(found.out_of_reach, Some(OutOfReach::Damping), "{found:?}");
 }
 
 #[test]
@@ -161,7 +161,7 @@ fn real_roots_move_along_the_axis_and_do_not_leave_it() {
     let to = Complex::from(0.01);
     let found = place_pole(&model, &parameters, spiral, to).expect("an answer");
     assert_within(&found, &parameters);
-    assert_eq!(found.out_of_reach, None, "{}", found.sentence());
+    assert_eq!(found.out_of_reach, None, "{found:?}");
     let reached = mode(Plane::Lateral, &model(&found.values).expect("a model"), ModeName::Spiral).lambda;
     assert!((reached - to).norm() < 1e-9);
     let off = place_pole(&model, &parameters, spiral, Complex::new(-0.01, 0.5)).expect("an answer");
@@ -181,7 +181,7 @@ fn every_mode_of_every_reference_aircraft_can_be_nudged() {
             let to = mode.lambda * Complex::new(1.05, if mode.is_oscillatory() { 0.03 } else { 0.0 });
             let found = place_pole(&at, &parameters, mode.lambda, to).expect("an answer");
             assert_within(&found, &parameters);
-            assert_eq!(found.out_of_reach, None, "{id} {:?}: {}", mode.naming.name, found.sentence());
+            assert_eq!(found.out_of_reach, None, "{id} {:?}: {found:?}", mode.naming.name);
             assert!((found.lambda - to).norm() < 1e-9 * to.norm().max(1.0));
             assert!(found.evaluations < 5000, "{id}: {}", found.evaluations);
         }
@@ -246,8 +246,7 @@ proptest! {
                 let here = Complex::new(from.re, from.im.abs());
                 let pole = values.iter().filter(|v| v.im >= 0.0).min_by(|x, y| (**x - here).norm().total_cmp(&(**y - here).norm())).expect("a pole");
                 prop_assert!((found.lambda - upper).norm() <= (pole - upper).norm() * (1.0 + 1e-9) + 1e-9);
-                prop_assert!(!found.sentence().contains("NaN"));
-            }
+                }
             Err(error) => prop_assert_eq!(error, InverseError::NoModel),
         }
     }

@@ -143,7 +143,6 @@ fn each_knob_moves_what_it_says_and_nothing_else() {
         moved.sort_unstable();
         said.sort_unstable();
         assert_eq!(moved, said, "{knob:?}");
-        assert!(!knob.relation().is_empty());
     }
     let mut faster = study.clone();
     faster.condition.speed *= 1.05;
@@ -356,15 +355,15 @@ fn a_flight_that_cannot_be_says_so_with_numbers() {
     );
     assert_eq!(
         said(&|s| s.condition.speed = 150.0),
-        "Mach 0.442 is outside 0.05 to 0.3, where this aircraft's coefficients hold"
+        "Mach 0.442 is outside 0.05 to 0.3, where this aircraft’s coefficients hold"
     );
     assert_eq!(
         said(&|s| s.condition.speed = 0.0),
         "the airspeed must be positive, not 0 m/s: without air there is no lift"
     );
     assert!(said(&|s| s.condition.altitude = 30_000.0).contains("altitude of 30000 m"));
-    assert!(said(&|s| s.condition.gamma0 = -1.5).contains("flight path of -86°"));
-    assert!(said(&|s| s.knobs.mass_ratio = -1.0).contains("mass ratio must be positive, not -1"));
+    assert!(said(&|s| s.condition.gamma0 = -1.5).contains("flight path of −86°"));
+    assert!(said(&|s| s.knobs.mass_ratio = -1.0).contains("mass ratio must be positive, not −1"));
     assert!(said(&|s| s.knobs.cg_shift = 2.0).contains("within one mean chord, not 2"));
     let bare = |s: &mut CoefficientStudy| {
         (s.airframe.tail, s.airframe.fin, s.airframe.taper) = (None, None, None);
@@ -373,7 +372,7 @@ fn a_flight_that_cannot_be_says_so_with_numbers() {
         bare(s);
         s.knobs.tail_ratio = 2.0;
     });
-    assert_eq!(no_tail, "the horizontal tail cannot be changed: this aircraft's data has no tail arm");
+    assert_eq!(no_tail, "the horizontal tail cannot be changed: this aircraft’s data has no tail arm");
     let mut study = base.clone();
     bare(&mut study);
     assert!(models(&study).is_ok(), "knobs at rest need no geometry");
@@ -395,7 +394,7 @@ fn a_plane_with_a_problem_leaves_the_other() {
     }
     let made = free.models();
     assert!(made.planes.longitudinal.is_none() && made.planes.lateral.is_some());
-    assert!(made.problems[0].to_string().contains("1 − Zẇ is 0.00e0"));
+    assert!(made.problems[0].to_string().contains("1 − Zẇ is 0:"));
 
     if let Some(d) = &mut free.longitudinal {
         (d.z_wdot, d.m_q) = (0.0, f64::INFINITY);

@@ -13,6 +13,7 @@ use eigenwing::flight::verdicts::level_boundaries::{Boundary, Line, level_bounda
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class, Criterion, Quantity};
 use eigenwing::flight::verdicts::task::Task;
 use eigenwing::scenario::Scenario;
+use eigenwing::words;
 use nalgebra::Complex;
 
 const CRUISE: Task = Task { class: Class::I, category: Category::B };
@@ -75,7 +76,7 @@ fn the_lines_give_the_levels_that_the_verdicts_give() {
                             level,
                             verdict.level,
                             "{name:?} {class:?} {category:?} {}",
-                            verdict.sentence()
+                            words::verdict::sentence(&verdict)
                         );
                         compared += 1;
                     }
@@ -97,10 +98,14 @@ fn navion(plane: Plane) -> Vec<Boundary> {
 /// The numbers of Tables IV, VI, VII and VIII for Class I, Category B, put in the plane by hand.
 #[test]
 fn the_lines_of_a_light_aircraft_in_cruise_are_those_of_the_tables() {
-    let lines = |boundaries: &[Boundary], criterion: Criterion| -> Vec<(String, Line)> {
-        boundaries.iter().filter(|b| b.criterion == criterion).map(|b| (b.levels(), b.line)).collect()
+    let lines = |boundaries: &[Boundary], criterion: Criterion| -> Vec<(&str, Line)> {
+        boundaries
+            .iter()
+            .filter(|b| b.criterion == criterion)
+            .map(|b| (words::verdict::levels(b), b.line))
+            .collect()
     };
-    let level = |number: &str, line: Line| (number.to_owned(), line);
+    let level = |levels: &'static str, line: Line| (levels, line);
     let longitudinal = navion(Plane::Longitudinal);
     assert_eq!(
         lines(&longitudinal, Criterion::ShortPeriodDamping),
@@ -144,8 +149,6 @@ fn the_lines_of_a_light_aircraft_in_cruise_are_those_of_the_tables() {
 fn an_approximation_gives_the_root_of_its_frequency_and_damping() {
     let of = |value| Approximation {
         name: ApproximationName::ShortPeriodTwoStates,
-        formula: "",
-        neglects: "",
         value: Some(value),
         exact: None,
     };

@@ -9,6 +9,7 @@ use eigenwing::flight::modes::mode::{Mode, modes};
 use eigenwing::flight::motion::modal_sum::{SplitError, WORST_SPLIT};
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::scenario::{Parameter, Scenario, Source};
+use eigenwing::words;
 
 fn scenarios() -> impl Iterator<Item = Scenario> {
     let (aircraft, errors) = embedded_aircraft();
@@ -145,7 +146,7 @@ fn one_mode_alone_stays_alone() {
                         other == index || largest(part) <= 1e-9 * own * growth,
                         "{} {}: {:e} of {own:e} in mode {other}",
                         aircraft.aircraft.key,
-                        analysed.modes[index].naming.name.text(),
+                        words::mode::title(analysed.modes[index].naming.name),
                         largest(part)
                     );
                 }

@@ -11,6 +11,7 @@ use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::flight::modes::stability::Stability;
 use eigenwing::flight::verdicts::static_stability::plane_static_stability;
 use eigenwing::scenario::Scenario;
+use eigenwing::words;
 use nalgebra::{Matrix4, Matrix4x2};
 use proptest::prelude::*;
 
@@ -176,7 +177,7 @@ proptest! {
             let sum: f64 = mode.participation.iter().sum();
             prop_assert!((sum - 1.0).abs() < 1e-9);
             prop_assert!((0.0..=1.0 + 1e-9).contains(&mode.naming.confidence));
-            prop_assert!(!mode.naming.reason.contains("NaN") && !mode.naming.reason.contains("inf"));
+            prop_assert!(!words::naming::reason(mode).contains("NaN") && !words::naming::reason(mode).contains("inf"));
             for number in [mode.natural_frequency(), mode.damping_ratio(), mode.period(), mode.time_to_half(), mode.time_to_double(), mode.cycles(), mode.time_constant()] {
                 prop_assert!(number.is_none_or(f64::is_finite));
             }

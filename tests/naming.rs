@@ -10,6 +10,7 @@ use eigenwing::flight::modes::mode::{Mode, modes, modes_of};
 use eigenwing::flight::modes::mode_name::ModeName::{self, *};
 use eigenwing::flight::modes::stability::Stability;
 use eigenwing::scenario::link;
+use eigenwing::words;
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use reference::{all_models, navion_with_m_w, reference, references, sweeps};
@@ -37,7 +38,7 @@ fn every_reference_aircraft_has_its_books_modes() {
         assert_eq!(names(&lat), [DutchRoll, RollSubsidence, Spiral], "{}", reference.id);
         for mode in lon.iter().chain(&lat) {
             assert!((0.0..=1.0).contains(&mode.naming.confidence));
-            assert!(mode.naming.reason.ends_with('.') && mode.naming.reason.contains('%'));
+            assert!(words::naming::reason(mode).ends_with('.') && words::naming::reason(mode).contains('%'));
         }
     }
 }
@@ -282,7 +283,7 @@ fn four_real_roots_are_told_apart_by_their_order() {
     ]);
     let modes = named(Plane::Lateral, &a);
     assert_eq!(names(&modes), [DutchRollMoreStableRoot, DutchRollLessStableRoot, RollSubsidence, Spiral]);
-    assert!(modes[1].lambda.re > 0.8 && modes[1].naming.reason.contains("grows"));
+    assert!(modes[1].lambda.re > 0.8 && words::naming::reason(&modes[1]).contains("grows"));
     assert!(modes.iter().all(|mode| mode.naming.confidence > 0.9));
 }
 
@@ -306,19 +307,19 @@ fn reason_in(link: &str, name: ModeName) -> String {
     let analysis = scene.analyse().expect("an analysis");
     let plane = analysis.planes[scene.plane].as_ref().expect("a plane").as_ref().expect("modes");
     let mode = plane.modes.iter().find(|mode| mode.naming.name == name).expect("it is there");
-    mode.naming.reason.clone()
+    words::naming::reason(mode)
 }
 
 /// Slow is what takes longer than MIL-F-8785C asks of a spiral that grows (§3.3.1.3, 20 s).
 #[test]
 fn a_spiral_is_slow_only_where_it_is() {
     for (link, words) in [
-        ("v=1&ac=navion&plane=lat", "the wings come level slowly"),
-        ("v=1&ac=navion&plane=lat&cn_beta=-0.05", "the turn tightens, doubling every 2.9 s"),
-        ("v=1&ac=citation&plane=lat", "the turn tightens, doubling every 9.1 s"),
+        ("v=1&ac=navion&plane=lat", "The wings come level slowly."),
+        ("v=1&ac=navion&plane=lat&cn_beta=-0.05", "The turn tightens: the bank angle doubles every 2.9 s."),
+        ("v=1&ac=citation&plane=lat", "The turn tightens: the bank angle doubles every 9.1 s."),
         (
             "v=1&ac=navion&plane=lat&croll_p=-0.02&croll_beta=-0.32&cn_beta=0.01",
-            "the wings come level, by half every 2.7 s",
+            "The wings come level: the bank angle halves every 2.7 s.",
         ),
     ] {
         let reason = reason_in(link, Spiral);
@@ -330,10 +331,10 @@ fn a_spiral_is_slow_only_where_it_is() {
 fn a_reason_claims_no_roll_that_dies_out_and_no_largest_share_where_there_is_none() {
     let driven = "v=1&ac=navion&plane=lat&croll_p=0.2";
     assert!(!reason_in(driven, Spiral).contains("dies out"));
-    assert!(reason_in(driven, RollSubsidence).contains("it grows: no longer a subsidence"));
+    assert!(reason_in(driven, RollSubsidence).contains("It grows, so it is no subsidence"));
     let mixed = "v=1&ac=navion&plane=lat&croll_p=-0.05&croll_r=0.3&cn_p=-0.25&croll_beta=-0.2&cn_beta=0.02";
     let reason = reason_in(mixed, RollSubsidence);
-    assert!(reason.starts_with("Roll rate carries 31 % of it, sideslip even 44 %"), "{reason}");
+    assert!(reason.starts_with("Roll rate has 31 % of the participation, sideslip 44 %."), "{reason}");
 }
 
 /// Found by the property above, once: shares that add up to more than one by rounding.

@@ -6,6 +6,7 @@ use eigenwing::content::embedded_aircraft;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
+use eigenwing::words;
 use proptest::prelude::*;
 
 static SCENARIOS: LazyLock<Vec<Scenario>> = LazyLock::new(|| {
@@ -58,7 +59,7 @@ proptest! {
                         prop_assert_eq!(roots, 4);
                         prop_assert!(of_plane.modes.iter().flat_map(numbers).all(f64::is_finite));
                         for verdict in &of_plane.levels {
-                            prop_assert!(!verdict.sentence().contains("NaN"));
+                            prop_assert!(!words::verdict::sentence(verdict).contains("NaN"));
                         }
                         for row in scenario.sensitivities(of_plane, Page::Coefficients) {
                             prop_assert!(row.strengths.iter().flatten().all(|x| x.is_finite()), "{}", row.key);

@@ -10,6 +10,7 @@ use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::scenario::{Page, Parameter, Source, parameters};
 use eigenwing::ui::App;
+use eigenwing::words;
 use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into, value};
 
 fn analysis(harness: &page::Page) -> &PlaneAnalysis {
@@ -211,7 +212,7 @@ fn a_growing_root_has_no_time_constant() {
 fn an_overdamped_short_period_is_judged_on_both_of_its_cards() {
     let mut harness = page(WIDE);
     open(&mut harness, "v=1&ac=navion&cm_q=-30&cm_alpha=-0.1");
-    harness.get_by_label("Level of the Short period, fast root").click();
+    harness.get_by_label("Level of the fast root of the short period").click();
     harness.run();
     let both = harness.query_all_by_label_contains("its two real roots taken as one motion").count();
     assert!(both >= 4, "two criteria on either card: {both}");
@@ -425,10 +426,15 @@ fn the_embedded_fonts_have_every_character_of_every_text() {
             scenario.plane = plane;
             let analysis = scenario.analyse().expect("an analysis");
             let Some(Ok(of_plane)) = &analysis.planes[plane] else { continue };
-            texts.extend(of_plane.modes.iter().map(|mode| mode.naming.reason.clone()));
-            texts.extend(of_plane.levels.iter().map(|verdict| verdict.sentence()));
+            texts.extend(of_plane.modes.iter().map(words::naming::reason));
+            texts.extend(of_plane.levels.iter().map(words::verdict::sentence));
             for approximation in &of_plane.approximations {
-                let words = [approximation.formula, approximation.neglects, approximation.name.text()];
+                let name = approximation.name;
+                let words = [
+                    words::approximation::formula(name),
+                    words::approximation::neglects(name),
+                    words::approximation::name(name),
+                ];
                 texts.extend(words.map(str::to_owned));
             }
         }
@@ -452,12 +458,12 @@ fn the_embedded_fonts_have_every_character_of_every_text() {
 #[test]
 fn a_mode_is_flown_alone_from_its_card_and_given_up_again() {
     let mut harness = page(WIDE);
-    harness.get_by_label("Fly the Phugoid alone").click();
+    harness.get_by_label("Fly the phugoid alone").click();
     harness.run_steps(4);
     harness.get_by_label("Pause");
     let choice = app(&harness).scenario().disturbance.choices.longitudinal;
     assert_eq!((choice.source, choice.mode), (Source::OneMode, 1));
-    harness.get_by_label("Stop flying the Phugoid alone").click();
+    harness.get_by_label("Stop flying the phugoid alone").click();
     harness.run();
     assert_eq!(app(&harness).scenario().disturbance.choices.longitudinal.source, Source::Elevator);
 }
@@ -466,11 +472,11 @@ fn a_mode_is_flown_alone_from_its_card_and_given_up_again() {
 fn shape_levels_and_approximations_of_every_mode_are_shown_on_request() {
     let mut harness = page(WIDE);
     for (button, seen) in [
-        ("Shape of the Short period", "Shape of the Short period: u/V"),
-        ("Level of the Phugoid", "Level 1: ζ is 0.0801, Level 1 asks at least 0.0400"),
+        ("Shape of the short period", "Shape of the short period: u/V"),
+        ("Level of the phugoid", "Level 1: ζ is 0.0801, Level 1 asks at least 0.0400"),
         (
-            "Approximations of the Short period",
-            "pitch only: ωₙ 2.64 rad/s, exact 3.61, −27\u{a0}%; ζ 0.566, exact 0.696, −19\u{a0}%",
+            "Approximations of the short period",
+            "one degree of freedom (pitch): ωₙ 2.64 rad/s, exact 3.61, −27\u{a0}%; ζ 0.566, exact 0.696, −19\u{a0}%",
         ),
     ] {
         assert_eq!(harness.query_all_by_label_contains(seen).count(), 0, "{seen}");
@@ -552,7 +558,7 @@ fn a_slider_keeps_its_place_and_length_where_two_roots_meet() {
 fn a_button_of_a_card_stays_under_the_pointer() {
     let mut harness = page(WIDE);
     open(&mut harness, "v=1&ac=navion&plane=lat");
-    for what in ["Shape of the Roll subsidence", "Level of the Roll subsidence"] {
+    for what in ["Shape of the roll mode", "Level of the roll mode"] {
         let before = harness.get_by_role_and_label(Role::Button, what).rect();
         harness.get_by_role_and_label(Role::Button, what).click();
         harness.run();

@@ -8,6 +8,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::scenario::Parameter;
+use eigenwing::words;
 use nalgebra::Complex;
 use page::{PHONE, Page, WIDE, app, page, value};
 
@@ -156,7 +157,7 @@ fn a_target_out_of_reach_says_why_and_the_sentence_goes_with_the_next_press() {
 fn another_choice_of_derivatives_moves_those_and_says_where_one_is_not_enough() {
     let mut harness = page(WIDE);
     let before = (value(&harness, "cm_q"), value(&harness, "cl_alpha"));
-    harness.get_by_label("Drag of the Short period moves C_mα, C_mq").click();
+    harness.get_by_label("Drag of the short period moves C_mα, C_mq").click();
     harness.run();
     for name in ["Drag moves C_mα", "Drag moves C_mq", "Drag moves C_Lα"] {
         harness.get_by_role_and_label(Role::CheckBox, name).click();
@@ -164,7 +165,7 @@ fn another_choice_of_derivatives_moves_those_and_says_where_one_is_not_enough() 
     }
     harness.key_press(Key::Escape);
     harness.run();
-    harness.get_by_label("Drag of the Short period moves C_Lα");
+    harness.get_by_label("Drag of the short period moves C_Lα");
     let from = pole(&harness, "Short period");
     press(&mut harness, from);
     go(&mut harness, from + Vec2::new(-20.0, -10.0));
@@ -185,7 +186,7 @@ fn on_every_page_and_plane_the_first_pole_can_be_dragged() {
             harness.run();
             let name = app(&harness).plane().expect("an analysis").modes[0].naming.name;
             let before = mode(&harness, name).lambda;
-            let from = pole(&harness, name.text());
+            let from = pole(&harness, words::mode::title(name));
             drag(&mut harness, from, Vec2::new(-6.0, -8.0));
             let after = mode(&harness, name).lambda;
             assert!(after.re < before.re && after.im > before.im, "{plane} {page}: {before} {after}");
@@ -223,7 +224,7 @@ fn every_mode_can_be_reached_by_keyboard_once() {
         harness.get_by_label(plane).click();
         harness.run();
         for mode in &app(&harness).plane().expect("an analysis").modes {
-            let name = format!("{} pole, ", mode.naming.name.text());
+            let name = format!("{} pole, ", words::mode::title(mode.naming.name));
             assert_eq!(harness.query_all_by_label_contains(&name).count(), 1, "{name}");
         }
     }
@@ -276,7 +277,11 @@ fn an_approximation_is_marked_on_request_and_tells_its_formula_and_error() {
     // In notation, and as it is set.
     let (notation, formula) = ("ωₙ² = −Z_u g/V,  ζ = −X_u/(2ωₙ)", "ωₙ² = −Zu g/V,  ζ = −Xu/(2ωₙ)");
     let plane = app(&harness).plane().expect("an analysis");
-    let approximation = plane.approximations.iter().find(|a| a.formula == notation).expect("two states");
+    let approximation = plane
+        .approximations
+        .iter()
+        .find(|a| words::approximation::formula(a.name) == notation)
+        .expect("two states");
     let (root, exact) = (approximation.root().expect("a root"), mode(&harness, ModeName::Phugoid).lambda);
     // Where the mark is, from the scale that the axis and the pole give.
     let (chart, at) = (map(&harness, "Slow modes"), pole(&harness, "Phugoid"));

@@ -188,13 +188,13 @@ fn what_disturbed_before_a_mode_was_flown_survives_undo() {
     let mut harness = page("v=1&ac=navion&lon.shape=doublet");
     let before = link(&mut harness);
     let flown = |harness: &mut Page| link(harness).contains("source=mode");
-    press(&mut harness, "Fly the Phugoid alone");
+    press(&mut harness, "Fly the phugoid alone");
     assert!(flown(&mut harness));
-    press(&mut harness, "Stop flying the Phugoid alone");
+    press(&mut harness, "Stop flying the phugoid alone");
     assert_eq!(link(&mut harness), before);
     press(&mut harness, "Undo");
     assert!(flown(&mut harness));
-    press(&mut harness, "Stop flying the Phugoid alone");
+    press(&mut harness, "Stop flying the phugoid alone");
     assert_eq!(link(&mut harness), before);
 }
 

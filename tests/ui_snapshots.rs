@@ -207,7 +207,7 @@ fn the_pole_map_looks_as_it_did() {
 fn the_modes_look_as_they_did() {
     let mut page = page(Vec2::new(1200.0, 860.0), "v=1&ac=navion&cm_alpha=-0.45&pin.ac=navion");
     for what in ["Shape", "Level", "Approximations"] {
-        click(&mut page, &format!("{what} of the Short period"));
+        click(&mut page, &format!("{what} of the short period"));
     }
     compare("modes", SCREENS, page, modes);
 }

@@ -117,8 +117,8 @@ pub(super) fn coefficient_study(
     let mut notes = Vec::from_iter(block.optional_text("source")?);
     notes.extend(block.optional_text("geometry_source")?);
     block.finish()?;
-    if let Some((key, problem)) = airframe.problem() {
-        return Err(block.error(key, problem));
+    if let Some(problem) = airframe.problem() {
+        return Err(block.error(problem.key(), problem.to_string()));
     }
 
     let mut l = LongitudinalCoefficients::default();

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::flight::modes::approximations::{Approximation, ModeValue};
+use crate::words;
 
 /// A textbook approximation beside the exact mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -55,10 +56,10 @@ impl ApproximationReport {
             ModeValue::Root(root) => ValueReport::Root { root },
         };
         Self {
-            mode: approximation.name.concerns().text(),
-            name: approximation.name.text(),
-            formula: approximation.formula,
-            neglects: approximation.neglects,
+            mode: words::mode::title(approximation.name.concerns()),
+            name: words::approximation::name(approximation.name),
+            formula: words::approximation::formula(approximation.name),
+            neglects: words::approximation::neglects(approximation.name),
             value: approximation.value.map(value),
             exact: approximation.exact.map(value),
             error: approximation.error(),

@@ -5,6 +5,7 @@ use super::subject::{ExportError, nearest, plane_name};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::{Analysis, Channel};
 use crate::scenario::{Scenario, Shape, Source};
+use crate::words;
 
 /// The disturbances by the name that a request gives them. Their sizes are parameters of the table, of the page
 /// [`crate::scenario::Page::Disturbance`]: `elevator`, `gust`, `part` and so on, and `time` for how long the motion is watched.
@@ -110,7 +111,8 @@ pub(super) fn choose_mode(
     let Some(Ok(of_plane)) = &analysis.planes[scenario.plane] else {
         return Err(no_motion(scenario, &analysis));
     };
-    let names: Vec<&'static str> = of_plane.modes.iter().map(|mode| mode.naming.name.text()).collect();
+    let names: Vec<&'static str> =
+        of_plane.modes.iter().map(|mode| words::mode::title(mode.naming.name)).collect();
     let choice = &mut scenario.disturbance.choices[scenario.plane];
     if let Some(name) = name {
         choice.mode = names.iter().position(|known| known.eq_ignore_ascii_case(name)).ok_or_else(|| {

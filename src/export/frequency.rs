@@ -14,6 +14,7 @@ use crate::flight::motion::frequency_response::{
 };
 use crate::flight::motion::outputs::Output;
 use crate::scenario::{Quantity, Source};
+use crate::words;
 
 /// Frequencies \[rad/s\] that are accepted: no motion of an aircraft is beyond them.
 pub const FREQUENCIES: [f64; 2] = [1e-6, 1e6];
@@ -161,7 +162,7 @@ pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<Freque
 
 impl GainPeak {
     fn of(&Peak { mode, frequency, gain }: &Peak) -> Self {
-        Self { mode: mode.text(), frequency, gain }
+        Self { mode: words::mode::title(mode), frequency, gain }
     }
 }
 

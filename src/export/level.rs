@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::flight::verdicts::handling_qualities::Verdict;
-use crate::flight::verdicts::mil_f_8785c::Criterion;
+use crate::words;
 
 /// A level of handling qualities.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -18,7 +18,7 @@ pub struct LevelReport {
     /// Paragraph of MIL-F-8785C.
     pub paragraph: &'static str,
     /// Its table or figure, and page.
-    pub table: &'static str,
+    pub table: String,
     /// The values judged.
     pub values: Vec<JudgedReport>,
     /// The verdict with the limit that governs it, in one sentence.
@@ -41,29 +41,21 @@ impl LevelReport {
     /// A verdict as it is told.
     pub fn of(verdict: &Verdict) -> Self {
         Self {
-            criterion: match verdict.criterion {
-                Criterion::Phugoid => "Phugoid damping",
-                Criterion::ShortPeriodDamping => "Short-period damping",
-                Criterion::ShortPeriodFrequency => "Short-period frequency",
-                Criterion::DutchRoll => "Dutch roll",
-                Criterion::RollMode => "Roll mode",
-                Criterion::Spiral => "Spiral",
-                Criterion::CoupledRollSpiral => "Coupled roll–spiral",
-            },
-            level: verdict.level.text(),
+            criterion: words::verdict::criterion(verdict.criterion),
+            level: words::verdict::level(verdict.level),
             on_boundary: verdict.on_boundary,
-            paragraph: verdict.paragraph,
-            table: verdict.table,
+            paragraph: verdict.criterion.paragraph(),
+            table: words::verdict::source(verdict.criterion.source(verdict.category)),
             values: verdict
                 .values
                 .iter()
                 .map(|&(quantity, value)| JudgedReport {
-                    symbol: quantity.symbol(),
+                    symbol: words::verdict::symbol(quantity),
                     value,
-                    unit: quantity.unit().trim_start(),
+                    unit: words::verdict::unit(quantity),
                 })
                 .collect(),
-            sentence: verdict.sentence(),
+            sentence: words::verdict::sentence(verdict),
         }
     }
 }

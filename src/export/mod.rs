@@ -29,6 +29,7 @@ use crate::flight::analysis::{Motion, PlaneAnalysis};
 use crate::flight::modes::mode::Mode;
 use crate::flight::{Analysis, AnalysisError};
 use crate::scenario::{Scenario, parameters};
+use crate::words;
 
 pub use aircraft::AircraftReport;
 pub use approximation::{ApproximationReport, ValueReport};
@@ -91,7 +92,7 @@ fn of_plane(plane: &PlaneAnalysis) -> Value {
         "dynamic_stability": dynamic_word(plane.dynamic_stability),
         "static_stability": static_word(plane.static_stability.verdict),
         "determinant": plane.static_stability.determinant,
-        "levels": plane.levels.iter().map(|verdict| verdict.sentence()).collect::<Vec<_>>(),
+        "levels": plane.levels.iter().map(words::verdict::sentence).collect::<Vec<_>>(),
     })
 }
 
@@ -106,8 +107,8 @@ fn of_motion(motion: &Motion) -> Value {
 
 fn of_mode(mode: &Mode) -> Value {
     json!({
-        "name": mode.naming.name.text(),
-        "reason": mode.naming.reason,
+        "name": words::mode::title(mode.naming.name),
+        "reason": words::naming::reason(mode),
         "re": mode.lambda.re,
         "im": mode.lambda.im,
         "damping_ratio": mode.damping_ratio(),

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::plane::dynamic_word;
 use crate::flight::modes::mode::Mode;
+use crate::words;
 
 /// One mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -55,8 +56,8 @@ impl ModeReport {
         let pairs = |vector: &Vector4<Complex<f64>>| std::array::from_fn(|k| [vector[k].re, vector[k].im]);
         let finite = |value: Option<f64>| value.filter(|x| x.is_finite());
         Self {
-            name: mode.naming.name.text(),
-            reason: mode.naming.reason.clone(),
+            name: words::mode::title(mode.naming.name),
+            reason: words::naming::reason(mode),
             confidence: mode.naming.confidence,
             re: mode.lambda.re,
             im: mode.lambda.im,

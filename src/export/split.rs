@@ -6,6 +6,7 @@ use crate::flight::analysis::Motion;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
+use crate::words;
 
 /// An output split into the parts of the modes, or why it has no meaningful split.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -56,8 +57,10 @@ impl SplitOutcome {
                 Ok(sum) => sum,
                 Err(error) => return Self::Refused { name, error: error.to_string() },
             };
-            let part =
-                |(mode, values): (&Mode, Vec<f64>)| PartReport { mode: mode.naming.name.text(), values };
+            let part = |(mode, values): (&Mode, Vec<f64>)| PartReport {
+                mode: words::mode::title(mode.naming.name),
+                values,
+            };
             let parts = modes.iter().zip(sum.parts).map(part).collect();
             Self::Split(SplitReport { name, unit: dimension.si_symbol(), parts, rest: sum.rest })
         };

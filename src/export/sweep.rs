@@ -15,6 +15,7 @@ use crate::flight::modes::mode::{Mode, modes};
 use crate::flight::modes::stability::{Stability, dynamic_stability};
 use crate::flight::verdicts::static_stability::plane_static_stability;
 use crate::scenario::{Parameter, Scenario};
+use crate::words;
 
 /// More points than this are refused: a slip of the finger, and more than a file is good for.
 pub const MOST_POINTS: usize = 100_000;
@@ -343,7 +344,7 @@ fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String
 
 fn sweep_mode(mode: &Mode) -> SweepMode {
     SweepMode {
-        name: mode.naming.name.text(),
+        name: words::mode::title(mode.naming.name),
         re: mode.lambda.re,
         im: mode.lambda.im,
         natural_frequency: mode.natural_frequency(),

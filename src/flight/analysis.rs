@@ -113,13 +113,10 @@ pub struct Analysis {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AnalysisError {
     /// There is no such aircraft or no such steady flight.
-    #[error(transparent)]
     Study(#[from] StudyError),
     /// The eigenvalues could not be had.
-    #[error(transparent)]
     Eigen(#[from] EigenError),
     /// The trim speed is not a positive number.
-    #[error("the trim speed must be a positive number, not {0} m/s")]
     TrimSpeed(f64),
 }
 

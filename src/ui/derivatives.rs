@@ -115,10 +115,7 @@ pub fn derivatives_ui(
             }
         }
         if !found {
-            let text = format!(
-                "No slider of this page has “{}” in its symbol, its name or what is said of it.",
-                search.trim()
-            );
+            let text = format!("No slider of this page matches “{}”.", search.trim());
             ui.label(RichText::new(text).font(theme::small()));
         }
     });
@@ -378,9 +375,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
         field
     });
     // Over its symbol and unit too: "×" alone says little.
-    let mut letters = name.chars();
-    let name: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
-    let hover = format!("{name}. {} {}", parameter.meaning, parameter.sign);
+    let hover = format!("{name}: {} {}", parameter.meaning, parameter.sign);
     let hover = prose(&hover, theme::body(), palette.text);
     let field = row.inner;
     if !field.response.hovered() {

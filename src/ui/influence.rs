@@ -9,6 +9,7 @@ use crate::flight::modes::sensitivity::Sensitivity;
 use crate::number::significant;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Parameter, RowSensitivity, Scenario, by_strength};
+use crate::words;
 
 /// Of a bar beside a slider, with its gap.
 pub const BAR_WIDTH: f32 = 5.5;
@@ -45,7 +46,7 @@ pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
 pub fn words(row: &RowSensitivity, modes: &[Mode], (in_si, unit): (f64, &str)) -> String {
     let mut words = Vec::new();
     for (mode, (strength, sensitivity)) in modes.iter().zip(row.strengths.iter().zip(&row.modes)) {
-        let name = mode.naming.name.text();
+        let name = words::mode::title(mode.naming.name);
         match strength {
             None => words.push(format!("{name}: two roots meet here, so there is no rate")),
             Some(strength) if *strength < NOTHING => {}

@@ -73,10 +73,10 @@ const SHORTCUTS: [Shortcut; 12] = [
     },
     control(Key::Y, "Ctrl Y", Command::Redo, "Redo"),
     plain(Key::Space, "Space", Command::Play, "Play or pause the aircraft"),
-    plain(Key::P, "P", Command::Maximise(Pane::Poles), "Pole map alone beside the sliders, and back"),
-    plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Aircraft alone beside the sliders, and back"),
-    plain(Key::R, "R", Command::Maximise(Pane::Response), "Response alone beside the sliders, and back"),
-    plain(Key::Escape, "Esc", Command::Restore, "Everything back in its place"),
+    plain(Key::P, "P", Command::Maximise(Pane::Poles), "Maximise the pole map, or restore it"),
+    plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Maximise the aircraft, or restore it"),
+    plain(Key::R, "R", Command::Maximise(Pane::Response), "Maximise the response, or restore it"),
+    plain(Key::Escape, "Esc", Command::Restore, "Restore the maximised pane"),
     plain(Key::G, "G", Command::Pin, "Pin this state as a ghost, or unpin it"),
     plain(Key::L, "L", Command::CopyLink, "Copy the whole scene as a link"),
     plain(Key::T, "T", Command::Look, "Light, dark, projector"),
@@ -95,7 +95,7 @@ const OF_CONTROLS: [(&str, &str); 11] = [
     ("Arrow keys", "On a pole: move it; on the aircraft: turn the camera"),
     ("+ −", "On the pole map and the aircraft: nearer, farther"),
     ("0, Home", "On the pole map: all poles in sight; 1 to 4 on the aircraft: standard views"),
-    ("Double click", "On the heading of a pane: alone beside the sliders, and back"),
+    ("Double click", "On the heading of a pane: maximise it, or restore it"),
 ];
 
 /// On a narrower page the sheet has one column.

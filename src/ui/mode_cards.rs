@@ -10,106 +10,24 @@ use super::poles::eigenvalue;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
-use crate::flight::Analysis;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
-use crate::flight::modes::approximations::{Approximation, ModeValue};
+use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::handling_qualities::{Level, Verdict};
 use crate::flight::verdicts::mil_f_8785c::Category;
-use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
-use crate::number::{fixed, significant};
-use crate::scenario::Dimension;
+use crate::number::significant;
 use crate::scenario::link::Details;
+use crate::words;
 
 /// The verdicts: dynamic, then static, each with its numbers.
 pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
-    let dynamic = match plane.dynamic_stability {
-        Stability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
-        Stability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
-        Stability::Unstable => {
-            let growing = plane.modes.iter().filter_map(|mode| {
-                let doubles = mode.time_to_double()?;
-                let name = mode.naming.name.in_a_sentence();
-                Some(format!("the {name} doubles every {} s", significant(doubles, 2)))
-            });
-            format!("Dynamically unstable: {}", growing.collect::<Vec<_>>().join(", "))
-        }
-    };
-    verdict_ui(ui, &dynamic, plane.dynamic_stability).on_hover_text(
-        "What happens in the end: whether every disturbance dies away, for which every pole must be left of the \
-         imaginary axis.",
-    );
-
-    let (text, meaning) = static_words(&plane.static_stability, margins, length);
-    let stability = match plane.static_stability.verdict {
-        Stability::Stable => Stability::Stable,
-        Stability::Neutral => Stability::Neutral,
-        Stability::Unstable => Stability::Unstable,
-    };
-    verdict_ui(ui, &text, stability).on_hover_text(meaning);
-}
-
-/// The verdict on static stability in a sentence, and what it means.
-fn static_words(
-    stability: &PlaneStaticStability,
-    margins: Option<Margins>,
-    length: LengthUnit,
-) -> (String, String) {
-    let PlaneStaticStability { verdict, determinant, stiffness, is_plain } = stability;
-    let shown = |value: f64| {
-        let value = value / Dimension::PerLengthSecond.in_si(length);
-        format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
-    };
-    let word = |verdict: &Stability| match verdict {
-        Stability::Stable => "stable",
-        Stability::Neutral => "neutral",
-        Stability::Unstable => "unstable",
-    };
-    match stiffness {
-        PlaneStiffness::Longitudinal { m_w, .. } => {
-            let margins = margins.map_or_else(String::new, |margins| {
-                let [neutral, manoeuvre] = [margins.static_margin, margins.manoeuvre_margin];
-                let percent = |x: f64| format!("{}\u{a0}%", significant(100.0 * x, 3));
-                format!(", static margin {}, manoeuvre margin {}", percent(neutral), percent(manoeuvre))
-            });
-            let determinant = match verdict {
-                Stability::Stable => format!("det A = {} 1/s⁴ > 0", significant(*determinant, 3)),
-                Stability::Neutral => "det A ≈ 0".to_owned(),
-                Stability::Unstable => format!("det A = {} 1/s⁴ < 0", significant(*determinant, 3)),
-            };
-            let folded = if *is_plain { "" } else { " with ẇ terms" };
-            let text = format!(
-                "Statically {}: {determinant}, pitch stiffness{folded} {}{margins}",
-                word(verdict),
-                shown(m_w.value)
-            );
-            let meaning = "Which way the first moment points. det A is the product of the four eigenvalues: where it is \
-                negative, a real root grows and the aircraft leaves its trim without swinging. It turns negative where \
-                the centre of gravity passes the neutral point, unless the moment also changes with speed.";
-            (text, meaning.to_owned())
-        }
-        PlaneStiffness::Lateral { n_v, l_v, .. } => {
-            let of = |verdict: Stability| match (n_v.verdict == verdict, l_v.verdict == verdict) {
-                (true, true) => "in yaw and roll",
-                (true, false) => "in yaw",
-                (false, _) => "in roll",
-            };
-            let folded = if *is_plain { "" } else { ", both with the product of inertia" };
-            let text = format!(
-                "Statically {} {}: weathercock stability {}, dihedral effect {}{folded}",
-                word(verdict),
-                of(*verdict),
-                shown(n_v.value),
-                shown(l_v.value)
-            );
-            let meaning = "Which way the first moments of a sideslip point. In yaw the nose must turn into the wind: \
-                weathercock stability is positive. In roll the wings must roll away from it: dihedral effect is \
-                negative. Whether a bank dies away is another question, which the card of the spiral answers.";
-            (text, meaning.to_owned())
-        }
-    }
+    verdict_ui(ui, &words::stability::dynamic_sentence(plane), plane.dynamic_stability)
+        .on_hover_text(words::stability::DYNAMIC_MEANING);
+    let of_static = &plane.static_stability;
+    verdict_ui(ui, &words::stability::static_sentence(of_static, margins, length), of_static.verdict)
+        .on_hover_text(words::stability::static_meaning(of_static));
 }
 
 fn verdict_ui(ui: &mut Ui, text: &str, stability: Stability) -> Response {
@@ -125,26 +43,6 @@ pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) -> Re
         ui.label(prose(text, theme::semibold(12.0), color))
     });
     banner.inner
-}
-
-/// The sentence that gravity and speed don't belong to one system of units, where they don't.
-pub fn units_warning(analysis: &Analysis) -> Option<String> {
-    let gravity = analysis.gravity?;
-    if gravity.is_plausible() {
-        return None;
-    }
-    let ratio = gravity.rate / gravity.expected_rate;
-    let compared = if ratio > 1.0 {
-        format!("{} times too strong", significant(ratio, 3))
-    } else {
-        format!("{} of what it is on Earth", significant(ratio, 3))
-    };
-    Some(format!(
-        "Gravity and speed don't belong to one unit system: g/U₀ = {} 1/s, where Earth's gravity at this speed \
-         gives {} 1/s. Gravity is {compared}.",
-        significant(gravity.rate, 2),
-        significant(gravity.expected_rate, 2),
-    ))
 }
 
 /// One mode with what belongs on its card.
@@ -177,7 +75,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             title_ui(ui, plane, mode, details);
             numbers_ui(ui, mode);
             participation_ui(ui, plane.model.plane, mode);
-            ui.label(RichText::new(&mode.naming.reason).font(theme::small()).color(palette.weak));
+            ui.label(RichText::new(words::naming::reason(mode)).font(theme::small()).color(palette.weak));
             if let Some(before) = before {
                 ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
             }
@@ -201,7 +99,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
 /// The name with its chips at the right, or below it where they would lie on it.
 fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
     let color = Palette::of(ui).mode_text(mode.naming.name);
-    let (name, font) = (mode.naming.name.text(), theme::semibold(14.0));
+    let (name, font) = (words::mode::title(mode.naming.name), theme::semibold(14.0));
     let chip = |text: String| {
         let font = theme::semibold(CHIP);
         ui.painter().layout_no_wrap(text, font, color).size().x
@@ -241,7 +139,7 @@ fn hold_place(ui: &Ui, button: &Response, name: (&str, &str)) {
 /// What can be done with a mode and seen of it. Says whether it is to be flown alone, or no longer.
 fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     let Card { plane, mode, flown, .. } = card;
-    let name = mode.naming.name.text();
+    let name = words::mode::in_a_sentence(mode.naming.name);
     let mut fly = false;
     ui.horizontal_wrapped(|ui| {
         // So that all three stand in one row of a card as a rule.
@@ -298,22 +196,18 @@ fn approximations<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<It
 fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, String)> {
     let first = approximations(plane, mode).next()?;
     let text = match first.error() {
-        Some(error) if error.abs() <= BEYOND_USE => format!("Approx. {}", signed_percent(error)),
+        Some(error) if error.abs() <= words::approximation::BEYOND_USE => {
+            format!("Approx. {}", words::approximation::signed_percent(error))
+        }
         Some(_) | None => "Approx. fails".to_owned(),
     };
     let hover = format!(
         "{}. {}\nLeaves out: {}\nPress to see all that the textbooks give.",
-        approximation_values(first),
-        first.formula,
-        first.neglects
+        words::approximation::values(first),
+        words::approximation::formula(first.name),
+        words::approximation::neglects(first.name)
     );
     Some((text, hover))
-}
-
-fn signed_percent(error: f64) -> String {
-    let percent = 100.0 * error;
-    let decimals = if percent.abs() < 10.0 { 1 } else { 0 };
-    format!("{}{}\u{a0}%", if error >= 0.0 { "+" } else { "" }, fixed(percent, decimals))
 }
 
 /// Size of the text on a chip, and the room left and right of it.
@@ -332,7 +226,9 @@ fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<S
     };
     let mark = if details.levels { "▾" } else { "▸" };
     let level = match worst(plane, mode) {
-        Some((level, category)) => Some(format!("{} {} {mark}", level.text(), category.letter())),
+        Some((level, category)) => {
+            Some(format!("{} {} {mark}", words::verdict::level(level), category.letter()))
+        }
         None => (!plane.levels.is_empty()).then(|| NO_LEVEL.to_owned()),
     };
     [Some(stability.to_owned()), level]
@@ -353,19 +249,19 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
             Level::Three | Level::Beyond => Stability::Unstable,
         });
         let mark = if details.levels { "▾" } else { "▸" };
-        let long = format!("{} · Cat {} {mark}", level.text(), category.letter());
+        let long = format!("{} · Cat {} {mark}", words::verdict::level(level), category.letter());
         let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(CHIP), color);
         let fits = galley.size().x + 2.0 * CHIP_MARGIN <= ui.available_width();
         let text = RichText::new(if fits { long } else { short }).font(theme::semibold(CHIP)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(CHIP_MARGIN, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         theme::focus_ring(ui, &chip);
-        let chip = chip.accessible_name(format!("Level of the {}", mode.naming.name.text()));
-        hold_place(ui, &chip, (mode.naming.name.text(), "Level"));
+        let chip =
+            chip.accessible_name(format!("Level of the {}", words::mode::in_a_sentence(mode.naming.name)));
+        hold_place(ui, &chip, (words::mode::title(mode.naming.name), "Level"));
         let hover = format!(
-            "{} of flight: {}. Press to see which paragraphs of MIL-F-8785C set the level.",
-            category.text(),
-            category.phases()
+            "{}. Press to see which paragraphs of MIL-F-8785C set the level.",
+            words::verdict::category_with_phases(category)
         );
         if chip.on_hover_text(hover).clicked() {
             details.levels = !details.levels;
@@ -396,7 +292,7 @@ fn judged<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a
 
 fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     for verdict in judged(plane, mode) {
-        ui.label(RichText::new(verdict.sentence()).font(theme::small()));
+        ui.label(RichText::new(words::verdict::sentence(verdict)).font(theme::small()));
     }
 }
 
@@ -404,55 +300,17 @@ fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
 fn approximations_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
     let palette = Palette::of(ui);
     for approximation in approximations(plane, mode) {
-        let values = RichText::new(approximation_values(approximation)).font(theme::small());
-        let formula = prose(approximation.formula, theme::small(), palette.weak);
-        let leaves_out =
-            prose(&format!("Leaves out: {}", approximation.neglects), theme::body(), palette.text);
+        let values = RichText::new(words::approximation::values(approximation)).font(theme::small());
+        let formula = prose(words::approximation::formula(approximation.name), theme::small(), palette.weak);
+        let leaves_out = prose(
+            &format!("Leaves out: {}", words::approximation::neglects(approximation.name)),
+            theme::body(),
+            palette.text,
+        );
         ui.label(values.color(palette.text)).on_hover_text(leaves_out.clone());
         ui.label(formula).on_hover_text(leaves_out);
         ui.add_space(2.0);
     }
-}
-
-/// Relative error from which on an approximation is none.
-const BEYOND_USE: f64 = 1.0;
-
-/// What an approximation gives beside the exact mode: "w and q alone: ωₙ 3.60 rad/s, exact 3.61, −0.2 %; ζ …".
-pub fn approximation_values(approximation: &Approximation) -> String {
-    let name = approximation.name.text();
-    let beside = |symbol: &str, unit: &str, given: f64, exact: Option<f64>, error: Option<f64>| {
-        let exact = exact.map_or_else(String::new, |exact| format!(", exact {}", significant(exact, 3)));
-        let error = match error {
-            Some(error) if error.abs() <= BEYOND_USE => format!(", {}", signed_percent(error)),
-            Some(_) => ": does not apply here".to_owned(),
-            None => String::new(),
-        };
-        format!("{symbol} {}{unit}{exact}{error}", significant(given, 3))
-    };
-    let error = approximation.error();
-    let values = match (approximation.value, approximation.exact) {
-        (None, _) => "gives nothing here".to_owned(),
-        (Some(ModeValue::Root(given)), exact) => {
-            let exact = exact.and_then(|exact| match exact {
-                ModeValue::Root(root) => Some(root),
-                ModeValue::SecondOrder { .. } => None,
-            });
-            beside("λ", " 1/s", given, exact, error)
-        }
-        (Some(ModeValue::SecondOrder { natural_frequency, damping_ratio }), exact) => {
-            let (exact_frequency, exact_damping) = match exact {
-                Some(ModeValue::SecondOrder { natural_frequency, damping_ratio }) => {
-                    (Some(natural_frequency), damping_ratio)
-                }
-                Some(ModeValue::Root(_)) | None => (None, None),
-            };
-            let frequency = beside("ωₙ", " rad/s", natural_frequency, exact_frequency, error);
-            let damping =
-                damping_ratio.map(|zeta| beside("ζ", "", zeta, exact_damping, approximation.damping_error()));
-            [Some(frequency), damping].into_iter().flatten().collect::<Vec<_>>().join("; ")
-        }
-    };
-    format!("{name}: {values}")
 }
 
 /// Height of a number of a card.

@@ -6,6 +6,7 @@ use egui::{FontId, Id, Key, Response, RichText, TextEdit, Ui};
 use super::arrow_keys;
 use super::theme::{self, Palette};
 use crate::scenario::ValueError;
+use crate::words;
 
 /// What a person is typing, or has typed in vain.
 #[derive(Clone, Debug)]
@@ -98,7 +99,7 @@ pub fn number_field_ui(
                     draft = None;
                     response.mark_changed();
                 }
-                Err(error) => typed.refusal = Some(sentence(&error)),
+                Err(error) => typed.refusal = Some(words::refusal::sentence(&error)),
             }
         }
     }
@@ -111,13 +112,4 @@ pub fn number_field_ui(
         None => data.remove::<Draft>(id),
     });
     NumberField { response, accepted, refusal }
-}
-
-fn sentence(error: &ValueError) -> String {
-    let text = error.to_string();
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).chain(['.']).collect(),
-        None => text,
-    }
 }

@@ -448,6 +448,7 @@ impl Palette {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words;
 
     const MODES: [ModeName; 14] = [
         ModeName::ShortPeriod,
@@ -514,7 +515,7 @@ mod tests {
                 check(look, 4.5, what, color, &[ground, p.pane, p.field, p.background]);
             }
             for name in MODES {
-                check(look, 4.5, name.text(), p.mode_text(name), &grounds);
+                check(look, 4.5, words::mode::title(name), p.mode_text(name), &grounds);
                 for (bar, words) in p.bars(name) {
                     check(look, 4.5, "words on a bar", words, &[bar]);
                 }
@@ -546,7 +547,7 @@ mod tests {
             check(look, 3.0, "ghost", p.ghost, &grounds);
             check(look, 3.0, "stability boundary", p.strong, &grounds);
             for name in MODES {
-                check(look, 3.0, name.text(), p.mode(name), &grounds);
+                check(look, 3.0, words::mode::title(name), p.mode(name), &grounds);
             }
         }
     }

@@ -9,6 +9,7 @@ use super::theme::{self, Palette};
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::modes::mode::Mode;
 use crate::number::fixed;
+use crate::words;
 
 /// Room for the arrows and their symbols.
 const SIZE: Vec2 = Vec2::new(118.0, 108.0);
@@ -31,7 +32,8 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
     ui.horizontal(|ui| {
         let (rect, response) = ui.allocate_exact_size(SIZE, Sense::hover());
         let words: Vec<String> = phasors.iter().map(Phasor::words).collect();
-        let words = format!("Shape of the {}: {}", mode.naming.name.text(), words.join("; "));
+        let words =
+            format!("Shape of the {}: {}", words::mode::in_a_sentence(mode.naming.name), words.join("; "));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
         draw(ui, rect, &phasors, color);
         ui.vertical(|ui| {

@@ -179,14 +179,14 @@ test("by mouse: fly a mode, maximise by double click, drag a pole", async (t) =>
 
   await t.test("a mode flown from its card plays, pauses and is given up", async () => {
     const before = await state();
-    await click(button("Fly the Short period alone"));
+    await click(button("Fly the short period alone"));
     await until(state, (now) => now.disturbance === "One mode", "flown alone");
     await until(playback, (time) => time > 0.2, "it plays at once");
     await click(button("Pause"));
     await counts(button("Play"), 1, "paused");
     await rest();
     assert.equal(await drawCallsIn(1000), 0);
-    await click(button("Stop flying the Short period alone"));
+    await click(button("Stop flying the short period alone"));
     await until(state, (now) => now.disturbance === before.disturbance, "as before");
   });
 

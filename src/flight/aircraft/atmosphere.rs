@@ -40,9 +40,6 @@ pub struct Air<T = f64> {
 
 /// An altitude outside the model.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error(
-    "the altitude of {altitude:.0} m is outside the standard atmosphere used here, sea level to 20 000 m"
-)]
 pub struct AtmosphereError {
     /// The altitude asked for \[m\].
     pub altitude: f64,

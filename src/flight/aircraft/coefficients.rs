@@ -3,6 +3,8 @@
 //! Stability axes. Rates are made dimensionless with c̄/2V (pitch) and b/2V (roll and yaw), angles are radians:
 //! Cm_q = ∂Cm/∂(q c̄/2V), Cl_p = ∂Cl/∂(p b/2V). A source that uses c̄/V prints half of these.
 
+use thiserror::Error;
+
 use super::real::{Dual64, Real, record};
 
 /// Axes in which an airframe's moments of inertia are given.
@@ -136,30 +138,52 @@ impl Airframe {
         }
     }
 
-    /// The first thing that no airframe can have, in a sentence with its key and the number.
-    pub fn problem(&self) -> Option<(&'static str, String)> {
+    /// The first thing that no airframe can have.
+    pub fn problem(&self) -> Option<AirframeError> {
         let positive = [
-            ("mass", self.mass, "the mass"),
-            ("S", self.s, "the wing area S"),
-            ("c", self.c, "the mean chord c"),
-            ("b", self.b, "the span b"),
-            ("Ix", self.ix, "the moment of inertia Ix"),
-            ("Iy", self.iy, "the moment of inertia Iy"),
-            ("Iz", self.iz, "the moment of inertia Iz"),
+            ("mass", self.mass),
+            ("S", self.s),
+            ("c", self.c),
+            ("b", self.b),
+            ("Ix", self.ix),
+            ("Iy", self.iy),
+            ("Iz", self.iz),
         ];
-        if let Some((key, value, name)) = positive.into_iter().find(|(_, x, _)| !(x.is_finite() && *x > 0.0))
-        {
-            return Some((key, format!("{name} must be a positive number, not {value}")));
+        if let Some((key, value)) = positive.into_iter().find(|(_, x)| !(x.is_finite() && *x > 0.0)) {
+            return Some(AirframeError::NotPositive { key, value });
         }
-        if !(self.ixz.is_finite() && self.ixz * self.ixz < self.ix * self.iz) {
-            let limit = (self.ix * self.iz).sqrt();
-            let text = format!(
-                "Ixz is {:.4e} kg m², but no body has |Ixz| ≥ √(Ix Iz) = {limit:.4e} kg m²",
-                self.ixz
-            );
-            return Some(("Ixz", text));
+        let limit = (self.ix * self.iz).sqrt();
+        let fits = self.ixz.is_finite() && self.ixz * self.ixz < self.ix * self.iz;
+        (!fits).then_some(AirframeError::ProductOfInertia { ixz: self.ixz, limit })
+    }
+}
+
+/// Something that no airframe can have.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum AirframeError {
+    /// A mass, a length, an area or a moment of inertia that is not positive.
+    NotPositive {
+        /// Key of it in an aircraft file.
+        key: &'static str,
+        /// What it is given as, SI.
+        value: f64,
+    },
+    /// Ixz as large as √(Ix Iz), or larger.
+    ProductOfInertia {
+        /// Ixz \[kg m²\].
+        ixz: f64,
+        /// √(Ix Iz) \[kg m²\].
+        limit: f64,
+    },
+}
+
+impl AirframeError {
+    /// Key of what can't be, in an aircraft file.
+    pub const fn key(&self) -> &'static str {
+        match self {
+            Self::NotPositive { key, .. } => key,
+            Self::ProductOfInertia { .. } => "Ixz",
         }
-        None
     }
 }
 

@@ -54,24 +54,18 @@ pub struct Validity {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ConditionError {
     /// Speed zero, negative or not a number.
-    #[error("the airspeed must be positive, not {speed} m/s: without air there is no lift")]
     NoSpeed {
         /// The speed asked for \[m/s\].
         speed: f64,
     },
     /// Too steep for these equations.
-    #[error("the flight path of {gamma0_deg:.0}° is steeper than the 60° up to which this model is used")]
     TooSteep {
         /// The angle asked for \[°\].
         gamma0_deg: f64,
     },
     /// Outside the standard atmosphere.
-    #[error(transparent)]
     Altitude(#[from] AtmosphereError),
     /// Too slow: past the stall.
-    #[error(
-        "the wing would need C_L {needed:.2} at {speed:.1} m/s; this aircraft is taken to stall at {cl_max:.2}"
-    )]
     Stall {
         /// C_L that would carry the weight.
         needed: f64,
@@ -81,7 +75,6 @@ pub enum ConditionError {
         speed: f64,
     },
     /// Beyond the data.
-    #[error("Mach {mach:.3} is outside {mach_min} to {mach_max}, where this aircraft's coefficients hold")]
     Mach {
         /// Mach number asked for.
         mach: f64,
@@ -91,7 +84,6 @@ pub enum ConditionError {
         mach_max: f64,
     },
     /// No angle of attack gives the lift.
-    #[error("C_Lα is {cl_alpha:.3}: lift that does not grow with the angle of attack cannot be trimmed")]
     NoLiftSlope {
         /// The slope \[1/rad\].
         cl_alpha: f64,
@@ -174,12 +166,11 @@ impl Reference {
 /// What changing speed, altitude, mass or flight path moves besides q̄, V and M.
 pub const CONDITION_MOVES: [&str; 5] = ["CL", "CD", "CD_alpha", "Cl_r", "Cn_p"];
 
-/// Why [`CONDITION_MOVES`], for the page.
-pub const CONDITION_RELATION: &str = "C_L = W cos γ₀/(½ρV²S); parabolic drag C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid \
-     §5.1); Cl_r and Cn_p by C_L/4 and −C_L/8 (Nelson, Table 3.4). Other coefficients keep their values: their own \
-     change with Mach number and angle of attack is not in the data.";
-
 /// The coefficients at another lift and Mach number, stability axes; at the reference they are unchanged to the bit.
+///
+/// Parabolic drag C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid §5.1); Cl_r and Cn_p by C_L/4 and −C_L/8
+/// (Nelson, Table 3.4). Other coefficients keep their values: their own change with Mach number and angle of attack is not in the
+/// data.
 pub fn at_lift<T: Real>(
     c: &Coefficients<T>,
     flight: &SteadyFlight<T>,

@@ -67,20 +67,11 @@ pub enum Knob {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum KnobError {
     /// The geometry that the knob needs is not in the aircraft's data.
-    #[error("{what} cannot be changed: this aircraft's data has no {missing}")]
-    NoGeometry {
-        /// The knob in words.
-        what: &'static str,
-        /// What is missing.
-        missing: &'static str,
-    },
+    NoGeometry(Knob),
     /// A number outside what the knob can be.
-    #[error("{what} must be {expected}, not {value}")]
     Range {
-        /// The knob in words.
-        what: &'static str,
-        /// What is allowed.
-        expected: &'static str,
+        /// The knob.
+        knob: Knob,
         /// What was asked for.
         value: f64,
     },
@@ -129,33 +120,6 @@ impl Knob {
             Self::Dihedral => &["Cl_beta"],
         }
     }
-
-    /// The textbook relation that it uses, and what it leaves out.
-    pub const fn relation(self) -> &'static str {
-        match self {
-            Self::Mass => {
-                "C_L = W cos γ₀/(½ρV²S): more mass is flown at a higher C_L. The inertias have their own knobs."
-            }
-            Self::Inertia => "The moments over Ix, Iy, Iz; the product of inertia stays.",
-            Self::CentreOfGravity => {
-                "Forces and velocities carried to the new centre of gravity as by a rigid body: Cm_α = C_Lα (h − h_n) \
-                 (Etkin & Reid §2.3), Cm_q and C_Lq with α = α′ + q Δx/V, Cn and CY alike. Inertias stay."
-            }
-            Self::Tail => {
-                "Tail parts of the derivatives (Nelson, ch. 3): Cm_q = −2.2 η a_t V_H l_t/c, \
-                 Cm_α̇ = −2 η a_t V_H (l_t/c) dε/dα, Cm_α = −η a_t V_H (1 − dε/dα); η a_t and dε/dα from the \
-                 aircraft's own Cm_q and Cm_α̇. The tail's own mass and drag are left out."
-            }
-            Self::Fin => {
-                "Fin parts of the derivatives (Nelson, Table 3.4): Cn_r = 2 (l_v/b)² CY_βv, which gives CY_βv; \
-                 Cn_β = −(l_v/b) CY_βv, Cl_β = (z_v/b) CY_βv, Cl_r = −2 (l_v/b)(z_v/b) CY_βv. \
-                 The fin's own mass and drag are left out."
-            }
-            Self::Dihedral => {
-                "Cl_β = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing (as in Perkins & Hage 1949)."
-            }
-        }
-    }
 }
 
 impl<T: Real> Knobs<T> {
@@ -181,66 +145,59 @@ impl<T: Real> Knobs<T> {
     ) -> Result<(Airframe<T>, Coefficients<T>), KnobError> {
         let (mut a, mut c) = (*airframe, *coefficients);
         match knob {
-            Knob::Mass => a.mass *= positive("the mass ratio", self.mass_ratio)?,
+            Knob::Mass => a.mass *= positive(knob, self.mass_ratio)?,
             Knob::Inertia => {
-                a.ix *= positive("the ratio of Ix", self.ix_ratio)?;
-                a.iy *= positive("the ratio of Iy", self.iy_ratio)?;
-                a.iz *= positive("the ratio of Iz", self.iz_ratio)?;
+                a.ix *= positive(knob, self.ix_ratio)?;
+                a.iy *= positive(knob, self.iy_ratio)?;
+                a.iz *= positive(knob, self.iz_ratio)?;
             }
-            Knob::CentreOfGravity => {
-                let shift = within(
-                    "the shift of the centre of gravity",
-                    self.cg_shift,
-                    1.0,
-                    "within one mean chord",
-                )?;
-                c = shifted(&a, &c, shift);
-            }
+            Knob::CentreOfGravity => c = shifted(&a, &c, within(knob, self.cg_shift, FARTHEST_SHIFT)?),
             Knob::Tail if self.tail_ratio.rests_at(1.0) => {}
             Knob::Tail => {
-                let arm = a.tail.map(|tail| tail.arm / a.c);
-                let arm = arm.ok_or(missing("the horizontal tail", "tail arm"))?;
-                c = with_tail(&c, arm, not_negative("the ratio of tail areas", self.tail_ratio)?);
+                let arm = a.tail.map(|tail| tail.arm / a.c).ok_or(KnobError::NoGeometry(knob))?;
+                c = with_tail(&c, arm, not_negative(knob, self.tail_ratio)?);
             }
             Knob::Fin if self.fin_ratio.rests_at(1.0) => {}
             Knob::Fin => {
                 let fin = a.fin.map(|fin| (fin.arm / a.b, fin.height / a.b));
-                let fin = fin.ok_or(missing("the fin", "fin arm"))?;
-                c = with_fin(&c, fin, not_negative("the ratio of fin areas", self.fin_ratio)?);
+                let fin = fin.ok_or(KnobError::NoGeometry(knob))?;
+                c = with_fin(&c, fin, not_negative(knob, self.fin_ratio)?);
             }
             Knob::Dihedral if self.dihedral_change.rests_at(0.0) => {}
             Knob::Dihedral => {
-                let taper = a.taper.ok_or(missing("the dihedral", "taper ratio of the wing"))?;
-                let change = within("the change of dihedral", self.dihedral_change, 0.6, "within 0.6 rad")?;
-                c = with_dihedral(&c, taper, change);
+                let taper = a.taper.ok_or(KnobError::NoGeometry(knob))?;
+                c = with_dihedral(&c, taper, within(knob, self.dihedral_change, MOST_DIHEDRAL)?);
             }
         }
         Ok((a, c))
     }
 }
 
-const fn missing(what: &'static str, missing: &'static str) -> KnobError {
-    KnobError::NoGeometry { what, missing }
-}
+/// Farthest that the centre of gravity is shifted, in mean chords.
+pub const FARTHEST_SHIFT: f64 = 1.0;
 
-fn positive<T: Real>(what: &'static str, value: T) -> Result<T, KnobError> {
+/// Largest change of the dihedral \[rad\].
+pub const MOST_DIHEDRAL: f64 = 0.6;
+
+fn positive<T: Real>(knob: Knob, value: T) -> Result<T, KnobError> {
     let good = value.re().is_finite() && value > 0.0;
-    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "positive", value: value.re() }) }
+    if good { Ok(value) } else { Err(KnobError::Range { knob, value: value.re() }) }
 }
 
-fn not_negative<T: Real>(what: &'static str, value: T) -> Result<T, KnobError> {
+fn not_negative<T: Real>(knob: Knob, value: T) -> Result<T, KnobError> {
     let good = value.re().is_finite() && value >= 0.0;
-    if good { Ok(value) } else { Err(KnobError::Range { what, expected: "zero or more", value: value.re() }) }
+    if good { Ok(value) } else { Err(KnobError::Range { knob, value: value.re() }) }
 }
 
-fn within<T: Real>(what: &'static str, value: T, limit: f64, expected: &'static str) -> Result<T, KnobError> {
-    if value.abs() <= limit { Ok(value) } else { Err(KnobError::Range { what, expected, value: value.re() }) }
+fn within<T: Real>(knob: Knob, value: T, limit: f64) -> Result<T, KnobError> {
+    if value.abs() <= limit { Ok(value) } else { Err(KnobError::Range { knob, value: value.re() }) }
 }
 
 /// Everything about a centre of gravity `shift` mean chords further aft.
 ///
 /// A force at the old centre acts Δx ahead of the new one: Cm′ = Cm + C_L Δx/c̄ and Cn′ = Cn + CY Δx/b. Turning about the new
-/// centre moves the old one: α = α′ − q Δx/V and β = β′ + r Δx/V. The force along x and the height are left alone.
+/// centre moves the old one: α = α′ − q Δx/V and β = β′ + r Δx/V (Etkin & Reid §2.3 for Cm_α). The force along x, the height and the
+/// inertias are left alone.
 fn shifted<T: Real>(airframe: &Airframe<T>, coefficients: &Coefficients<T>, shift: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     let (l, h) = (&mut moved.longitudinal, shift);
@@ -267,7 +224,7 @@ fn shifted<T: Real>(airframe: &Airframe<T>, coefficients: &Coefficients<T>, shif
     moved
 }
 
-/// A tail `ratio` times as large on the same arm l_t/c̄.
+/// A tail `ratio` times as large on the same arm l_t/c̄ (Nelson, ch. 3); its own mass and drag are left out.
 fn with_tail<T: Real>(coefficients: &Coefficients<T>, arm: f64, ratio: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     let (c, l) = (&coefficients.longitudinal, &mut moved.longitudinal);
@@ -293,7 +250,7 @@ fn with_tail<T: Real>(coefficients: &Coefficients<T>, arm: f64, ratio: T) -> Coe
     moved
 }
 
-/// A fin and rudder `ratio` times as large, with arm l_v/b and height z_v/b the same.
+/// A fin and rudder `ratio` times as large, with arm l_v/b and height z_v/b the same (Nelson, Table 3.4); their own mass and drag are left out.
 fn with_fin<T: Real>(coefficients: &Coefficients<T>, (arm, height): (f64, f64), ratio: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     if let Some(c) = &mut moved.lateral {
@@ -317,7 +274,7 @@ fn with_fin<T: Real>(coefficients: &Coefficients<T>, (arm, height): (f64, f64), 
     moved
 }
 
-/// Wing tips up by `change` \[rad\] more, on a wing of taper ratio λ.
+/// Wing tips up by `change` \[rad\] more, on a wing of taper ratio λ: strip theory (as in Perkins & Hage 1949).
 fn with_dihedral<T: Real>(coefficients: &Coefficients<T>, taper: f64, change: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     if let Some(c) = &mut moved.lateral {

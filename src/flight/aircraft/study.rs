@@ -70,28 +70,20 @@ pub struct Models<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum StudyError {
     /// There is no such steady flight.
-    #[error(transparent)]
     Condition(#[from] ConditionError),
     /// A knob cannot stand so.
-    #[error(transparent)]
     Knob(#[from] KnobError),
     /// Ixz too large for Ix and Iz.
-    #[error("Ixz² is {ratio:.3} times Ix Iz; no body has as much as 1: lower Ixz, or raise Ix or Iz")]
     Inertia {
         /// Ixz²/(Ix Iz).
         ratio: f64,
     },
     /// 1 − Zẇ = 0.
-    #[error("1 − Zẇ is {denominator:.2e}: the air carried along cancels the aircraft's mass")]
     Heave {
         /// 1 − Zẇ.
         denominator: f64,
     },
     /// Overflow or NaN.
-    #[error(
-        "the {} model has an entry that is not a finite number: a value is too large or too small",
-        plane_name(*.plane)
-    )]
     NotFinite {
         /// Which plane.
         plane: Plane,
@@ -107,13 +99,6 @@ impl StudyError {
             Self::Heave { .. } => Some(Plane::Longitudinal),
             Self::NotFinite { plane } => Some(*plane),
         }
-    }
-}
-
-const fn plane_name(plane: Plane) -> &'static str {
-    match plane {
-        Plane::Longitudinal => "longitudinal",
-        Plane::Lateral => "lateral",
     }
 }
 

@@ -42,24 +42,6 @@ pub enum ApproximationName {
 }
 
 impl ApproximationName {
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::ShortPeriodTwoStates => "w and q alone",
-            Self::ShortPeriodPitchOnly => "pitch only",
-            Self::PhugoidLanchester => "Lanchester",
-            Self::PhugoidTwoStates => "u and θ alone",
-            Self::PhugoidResidualised => "w and q at rest",
-            Self::PhugoidQuartic => "from the quartic",
-            Self::DutchRollTwoStates => "v and r alone",
-            Self::DutchRollYawOnly => "yaw only",
-            Self::RollDamping => "roll damping",
-            Self::SpiralPolynomial => "from the quartic",
-            Self::SpiralWithGravity => "with gravity",
-            Self::SpiralQuick => "quick form",
-        }
-    }
-
     /// Whether it is the first that a course would name of its mode: one for each.
     pub const fn is_principal(self) -> bool {
         matches!(
@@ -106,10 +88,6 @@ pub enum ModeValue {
 pub struct Approximation {
     /// Which.
     pub name: ApproximationName,
-    /// Its formula, for reading.
-    pub formula: &'static str,
-    /// What it leaves out, in a sentence.
-    pub neglects: &'static str,
     /// What it gives; `None` where it gives nothing (a negative ωₙ², a division by zero).
     pub value: Option<ModeValue>,
     /// The exact mode of the same kind; `None` where the aircraft has none.
@@ -187,46 +165,22 @@ fn longitudinal(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
     vec![
         Approximation {
             name: Name::ShortPeriodTwoStates,
-            formula: "ωₙ² = Z_w M_q − V M_w,  2ζωₙ = −(Z_w + M_q + V M_ẇ)",
-            neglects: "Changes of speed: u is held at zero.",
             value: SecondOrder::of(-(z_w + m_q), z_w * m_q - v * m_w).map(full),
             exact: short_period,
         },
         Approximation {
             name: Name::ShortPeriodPitchOnly,
-            formula: "ωₙ² = −V M_w,  2ζωₙ = −(M_q + V M_ẇ)",
-            neglects: "Changes of speed and all heaving (Z_w): the aircraft turns about a point that flies straight on.",
             value: SecondOrder::of(-m_q, -v * m_w).map(full),
             exact: short_period,
         },
         Approximation {
             name: Name::PhugoidLanchester,
-            formula: "ωₙ = √2 g/V",
-            neglects: "Drag, any change of angle of attack, compressibility (M_u, and Z_u beyond −2g/V).",
             value: frequency_only(std::f64::consts::SQRT_2 * g / v),
             exact: phugoid,
         },
-        Approximation {
-            name: Name::PhugoidTwoStates,
-            formula: "ωₙ² = −Z_u g/V,  ζ = −X_u/(2ωₙ)",
-            neglects: "Any change of angle of attack: the moment with speed (M_u) and the lift and drag it brings.",
-            value: two_states.map(full),
-            exact: phugoid,
-        },
-        Approximation {
-            name: Name::PhugoidResidualised,
-            formula: "ωₙ² = det Aᵣ, 2ζωₙ = −tr Aᵣ, Aᵣ = Aₛₛ − Aₛf Aff⁻¹ Afₛ, s = (u, θ), f = (w, q)",
-            neglects: "The time that w and q take: they follow u and θ at once.",
-            value: residualised(a).map(full),
-            exact: phugoid,
-        },
-        Approximation {
-            name: Name::PhugoidQuartic,
-            formula: "ωₙ² = E/C,  2ζωₙ = D/C − B E/C²,  λ⁴ + Bλ³ + Cλ² + Dλ + E",
-            neglects: "Powers of the slow roots beside the fast ones.",
-            value: quartic(a).map(full),
-            exact: phugoid,
-        },
+        Approximation { name: Name::PhugoidTwoStates, value: two_states.map(full), exact: phugoid },
+        Approximation { name: Name::PhugoidResidualised, value: residualised(a).map(full), exact: phugoid },
+        Approximation { name: Name::PhugoidQuartic, value: quartic(a).map(full), exact: phugoid },
     ]
 }
 
@@ -247,46 +201,26 @@ fn lateral(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
     vec![
         Approximation {
             name: Name::DutchRollTwoStates,
-            formula: "ωₙ² = N′_β + Y_v N′_r,  2ζωₙ = −(Y_v + N′_r)",
-            neglects: "Rolling: p and φ are held at zero.",
             value: SecondOrder::of(-(y_v + n_r), n_beta + y_v * n_r).map(full),
             exact: dutch_roll,
         },
         Approximation {
             name: Name::DutchRollYawOnly,
-            formula: "ωₙ² = N′_β,  2ζωₙ = −N′_r",
-            neglects: "Rolling and sideways motion (Y_v): the aircraft turns about a point that flies straight on.",
             value: SecondOrder::of(-n_r, n_beta).map(full),
             exact: dutch_roll,
         },
         Approximation {
             name: Name::RollDamping,
-            formula: "λ = L′_p",
-            neglects: "Sideslip and yaw: the aircraft rolls about its x axis only.",
             value: finite_root(l_p),
             exact: root(ModeName::RollSubsidence),
         },
-        Approximation {
-            name: Name::SpiralPolynomial,
-            formula: "λ = −E/D,  λ⁴ + Bλ³ + Cλ² + Dλ + E",
-            neglects: "Powers of the slow root beside the fast ones.",
-            value: finite_root(-e / d),
-            exact: spiral,
-        },
+        Approximation { name: Name::SpiralPolynomial, value: finite_root(-e / d), exact: spiral },
         Approximation {
             name: Name::SpiralWithGravity,
-            formula: "λ = −(g/V)(L′_β N′_r − N′_β L′_r) / (L′_β (N′_p − g/V) − N′_β L′_p)",
-            neglects: "Powers of the slow root, the side force Y_v and the slope of the flight path: level flight only.",
             value: finite_root(-(g / v) * neutral / (l_beta * (n_p - g / v) - n_beta * l_p)),
             exact: spiral,
         },
-        Approximation {
-            name: Name::SpiralQuick,
-            formula: "λ = (L′_β N′_r − N′_β L′_r)/L′_β",
-            neglects: "Roll damping and N′_p, which make the spiral 3 to 40 times slower: in level flight only its sign is right.",
-            value: finite_root(neutral / l_beta),
-            exact: spiral,
-        },
+        Approximation { name: Name::SpiralQuick, value: finite_root(neutral / l_beta), exact: spiral },
     ]
 }
 

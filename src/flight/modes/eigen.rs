@@ -27,12 +27,8 @@ pub struct Eigen {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EigenError {
     /// An entry is NaN or infinite, or an eigenvalue would be too large for a 64-bit number.
-    #[error(
-        "the motion cannot be computed: an entry of the state matrix is not a finite number, or is too large"
-    )]
     NotFinite,
     /// The iteration used up its bound; no matrix is known that does this.
-    #[error("the eigenvalues of this state matrix could not be found: the iteration did not settle")]
     NotConverged,
 }
 

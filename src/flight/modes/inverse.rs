@@ -9,7 +9,6 @@ use nalgebra::{Complex, Matrix4, Vector2, Vector4};
 
 use super::eigen::{Eigen, eigen};
 use super::least_change::{Bounds, damped_step, least_change};
-use crate::number::significant;
 
 /// A target is reached within this fraction of the size of the pole.
 const REACHED: f64 = 1e-11;
@@ -65,47 +64,12 @@ pub struct Placement {
     pub evaluations: usize,
 }
 
-impl Placement {
-    /// What could be done and what not, in a sentence.
-    pub fn sentence(&self) -> String {
-        let describe = |l: Complex<f64>| {
-            if l.im > 0.0 {
-                let (wn, zeta) = (l.norm(), -l.re / l.norm());
-                format!("ωₙ {} rad/s, ζ {}", significant(wn, 3), significant(zeta, 3))
-            } else {
-                format!("λ {} 1/s", significant(l.re, 3))
-            }
-        };
-        let here = describe(self.lambda);
-        match self.out_of_reach {
-            None => format!("The mode is where it was wanted: {here}."),
-            Some(what) => {
-                let what = match what {
-                    OutOfReach::Damping => "that damping is out of reach",
-                    OutOfReach::Frequency => "that frequency is out of reach",
-                    OutOfReach::Both => "neither that frequency nor that damping is within reach",
-                    OutOfReach::RealRoot => "that root is out of reach",
-                    OutOfReach::OffTheAxis => "a real root leaves the real axis only where it meets another",
-                };
-                format!(
-                    "With these parameters and bounds {what}: {} was wanted, the nearest is {here}.",
-                    describe(self.wanted)
-                )
-            }
-        }
-    }
-}
-
 /// Why the question has no answer at all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InverseError {
     /// A number of the question is not finite, a bound excludes the present value, or a scale is not positive.
-    #[error(
-        "the bounds, scales and the wanted pole must be finite, with the present values within the bounds"
-    )]
     Question,
     /// There is no model at the present values.
-    #[error("the aircraft can't be computed at the present values")]
     NoModel,
 }
 

@@ -2,6 +2,7 @@
 
 use nalgebra::Complex;
 
+use super::reason::{Fact, Reason, StateSet};
 use super::stability::Stability;
 
 /// What a mode is called.
@@ -37,37 +38,6 @@ pub enum ModeName {
     Spiral,
 }
 
-impl ModeName {
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::ShortPeriod => "Short period",
-            Self::ShortPeriodFastRoot => "Short period, fast root",
-            Self::ShortPeriodSlowRoot => "Short period, slow root",
-            Self::ThirdOscillatory => "Third oscillatory mode",
-            Self::Phugoid => "Phugoid",
-            Self::PhugoidFastRoot => "Phugoid, fast root",
-            Self::PhugoidSlowRoot => "Phugoid, slow root",
-            Self::Divergence => "Divergence",
-            Self::DutchRoll => "Dutch roll",
-            Self::DutchRollMoreStableRoot => "Dutch roll, more stable root",
-            Self::DutchRollLessStableRoot => "Dutch roll, less stable root",
-            Self::CoupledRollSpiral => "Coupled roll–spiral",
-            Self::RollSubsidence => "Roll subsidence",
-            Self::Spiral => "Spiral",
-        }
-    }
-
-    /// The name as it stands within a sentence: "short period", but "Dutch roll"; "roll mode", which may grow too.
-    pub fn in_a_sentence(self) -> String {
-        match self {
-            Self::RollSubsidence => "roll mode".to_owned(),
-            _ if self.text().starts_with("Dutch") => self.text().to_owned(),
-            _ => self.text().to_lowercase(),
-        }
-    }
-}
-
 /// A name, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Naming {
@@ -75,8 +45,8 @@ pub struct Naming {
     pub name: ModeName,
     /// Share of the mode in the states that gave it its name, 0 to 1. Near ½ the name is a matter of degree.
     pub confidence: f64,
-    /// The reason in one or two sentences, with its numbers.
-    pub reason: String,
+    /// Why.
+    pub reason: Reason,
 }
 
 /// An unnamed mode as far as naming needs it.
@@ -120,20 +90,15 @@ pub(super) fn mean_share(shapes: &[Shape], oscillating: bool, share: impl Fn(&Sh
     shares.iter().sum::<f64>() / shares.len().max(1) as f64
 }
 
-/// The naming itself, with a word of caution where the shape is mixed.
-pub(super) fn naming(name: ModeName, confidence: f64, reason: String) -> Naming {
-    // Shares that add up to one do so but for rounding.
-    let confidence = confidence.clamp(0.0, 1.0);
-    let reason = if confidence < 0.65 {
-        format!("{reason} The shape is mixed, so the name is a matter of degree.")
-    } else {
-        reason
-    };
-    Naming { name, confidence, reason }
-}
+/// Below this confidence the shape is mixed.
+const MIXED: f64 = 0.65;
 
-/// A share as a person reads it: "99.7 %", "95 %".
-pub(super) fn percent(share: f64) -> String {
-    let value = 100.0 * share;
-    if (99.0..99.95).contains(&value) { format!("{value:.1} %") } else { format!("{value:.0} %") }
+/// The name of `shape`, for the participation of `states` and the facts beside it.
+pub(super) fn naming(name: ModeName, shape: &Shape, states: StateSet, mut facts: Vec<Fact>) -> Naming {
+    // Shares that add up to one do so but for rounding.
+    let confidence = states.share(&shape.participation).clamp(0.0, 1.0);
+    if confidence < MIXED {
+        facts.push(Fact::MixedShape);
+    }
+    Naming { name, confidence, reason: Reason { states, facts } }
 }

@@ -1,9 +1,10 @@
 //! Names of the lateral–directional modes: Dutch roll, roll subsidence, spiral, and what becomes of them.
 
 use super::mode_name::{
-    ModeName, Naming, Shape, faster_of_two_pairs, mean_share, naming, percent, real_roots_in_order,
+    ModeName, Naming, Shape, faster_of_two_pairs, mean_share, naming, real_roots_in_order,
 };
-use crate::number::significant;
+use super::reason::{Fact, StateSet};
+use super::stability::Stability;
 
 /// Beside two real roots a pair is the Dutch roll, unless it holds less than this share of v and r …
 ///
@@ -16,7 +17,7 @@ const YAWING_ROOTS: f64 = 0.6;
 
 /// Share of v and r, the states of the Dutch roll; p and φ, those of rolling, have the rest.
 fn yaw_share(shape: &Shape) -> f64 {
-    shape.participation[0] + shape.participation[2]
+    StateSet::SideslipAndYawRate.share(&shape.participation)
 }
 
 pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
@@ -90,96 +91,30 @@ fn four_roots(shapes: &[Shape]) -> Vec<ModeName> {
 }
 
 fn explain(name: ModeName, shape: &Shape, shapes: &[Shape]) -> Naming {
-    let [_, p, _, phi] = shape.participation;
-    let yaw = yaw_share(shape);
-    let (yawing, rolling) = (percent(yaw), percent(1.0 - yaw));
-    let four = if shapes.len() == 4 { " All four roots are real, told apart by their order." } else { "" };
-    let (confidence, reason) = match name {
-        ModeName::DutchRoll => (
-            yaw,
-            format!(
-                "Sideslip and yaw rate carry {yawing} of it: the nose swings from side to side and the wings rock."
-            ),
-        ),
-        ModeName::CoupledRollSpiral => (
-            1.0 - yaw,
-            format!(
-                "Roll rate and bank angle carry {rolling} of it: roll subsidence and spiral have met and oscillate together."
-            ),
-        ),
-        ModeName::DutchRollMoreStableRoot => (
-            yaw,
-            format!(
-                "Sideslip and yaw rate carry {yawing} of it. The Dutch roll no longer oscillates: two real roots, this is the more stable.{four}"
-            ),
-        ),
-        ModeName::DutchRollLessStableRoot if shape.grows() => (
-            yaw,
-            format!(
-                "Sideslip and yaw rate carry {yawing} of it. The Dutch roll no longer oscillates: two real roots, and this one grows, the nose keeps swinging away.{four}"
-            ),
-        ),
-        ModeName::DutchRollLessStableRoot => (
-            yaw,
-            format!(
-                "Sideslip and yaw rate carry {yawing} of it. The Dutch roll no longer oscillates: two real roots, this is the less stable.{four}"
-            ),
-        ),
-        ModeName::RollSubsidence if shape.grows() => (
-            p,
-            format!(
-                "{}, and it grows: no longer a subsidence, the wing drives the roll on.{four}",
-                carried(shape, 1)
-            ),
-        ),
-        ModeName::RollSubsidence => {
-            (p, format!("{}: a roll that dies out without oscillating.{four}", carried(shape, 1)))
+    let yawing = StateSet::SideslipAndYawRate;
+    let (states, fact) = match name {
+        ModeName::DutchRoll => (yawing, Fact::YawingAndRocking),
+        ModeName::CoupledRollSpiral => (StateSet::RollRateAndBankAngle, Fact::RollMeetsSpiral),
+        ModeName::DutchRollMoreStableRoot => (yawing, Fact::DutchRollMoreStable),
+        ModeName::DutchRollLessStableRoot if shape.grows() => (yawing, Fact::DirectionalDivergence),
+        ModeName::DutchRollLessStableRoot => (yawing, Fact::DutchRollLessStable),
+        ModeName::RollSubsidence if shape.grows() => (StateSet::RollRate, Fact::RollDriven),
+        ModeName::RollSubsidence => (StateSet::RollRate, Fact::RollRateDiesOut),
+        _ if shape.grows() && is_faster_than_the_roll(shape, shapes) => {
+            (StateSet::BankAngle, Fact::BankDriven)
         }
-        _ if shape.grows() && is_faster_than_the_roll(shape, shapes) => (
-            phi,
-            format!(
-                "{}, and it grows faster than a roll dies out: no longer a slow spiral, the wing drives it.{four}",
-                carried(shape, 3)
-            ),
+        _ => (
+            StateSet::BankAngle,
+            match shape.stability {
+                Stability::Stable => Fact::BankDecays,
+                Stability::Neutral => Fact::BankStays,
+                Stability::Unstable => Fact::BankGrows,
+            },
         ),
-        _ if shape.grows() => (
-            phi,
-            format!(
-                "{}, and it grows: the turn tightens{}.{four}",
-                carried(shape, 3),
-                pace(shape, "doubling")
-            ),
-        ),
-        _ => (phi, format!("{}: the wings come level{}.{four}", carried(shape, 3), pace(shape, "by half"))),
     };
-    let reason = match neighbour(shape, shapes) {
-        Some(ratio) => {
-            format!("{reason} There are two oscillations; the faster is {ratio} times the slower in |λ|.")
-        }
-        None => reason,
-    };
-    naming(name, confidence, reason)
-}
-
-/// How much of a mode one of the states β, p, r, φ carries, and which carries more, if any does.
-fn carried(shape: &Shape, state: usize) -> String {
-    const STATES: [&str; 4] = ["Sideslip", "Roll rate", "Yaw rate", "Bank angle"];
-    let share = |k: usize| shape.participation[k];
-    let most = (0..4).max_by(|&i, &j| share(i).total_cmp(&share(j))).unwrap_or(state);
-    let own = format!("{} carries {} of it", STATES[state], percent(share(state)));
-    if share(most) <= share(state) {
-        return own;
-    }
-    format!("{own}, {} even {}", STATES[most].to_lowercase(), percent(share(most)))
-}
-
-/// A spiral that takes longer than this to double or halve is slow \[s\]: Level 1 in Category B, MIL-F-8785C §3.3.1.3.
-const SLOW: f64 = 20.0;
-
-/// How fast a real root grows or dies away, as the end of a sentence.
-fn pace(shape: &Shape, what: &str) -> String {
-    let time = std::f64::consts::LN_2 / shape.lambda.re.abs();
-    if time < SLOW { format!(", {what} every {} s", significant(time, 2)) } else { " slowly".to_owned() }
+    let four = (shapes.len() == 4).then_some(Fact::FourRealRoots);
+    let two = ratio_of_two_pairs(shapes).map(Fact::TwoOscillations);
+    naming(name, shape, states, [Some(fact), four, two].into_iter().flatten().collect())
 }
 
 /// Whether this root is farther from zero than every real root that dies away, of which there is one.
@@ -188,9 +123,9 @@ fn is_faster_than_the_roll(shape: &Shape, shapes: &[Shape]) -> bool {
         && shapes.iter().all(|s| s.oscillates() || s.grows() || s.lambda.norm() < shape.lambda.norm())
 }
 
-/// With two oscillations, the ratio of their |λ| in words.
-fn neighbour(shape: &Shape, shapes: &[Shape]) -> Option<String> {
+/// With two oscillations, the greater |λ| over the smaller.
+fn ratio_of_two_pairs(shapes: &[Shape]) -> Option<f64> {
     let faster = faster_of_two_pairs(shapes)?;
     let (fast, slow) = (shapes[faster].lambda.norm(), shapes[1 - faster].lambda.norm());
-    (shape.oscillates() && slow > 0.0).then(|| significant(fast / slow, 3))
+    (slow > 0.0).then(|| fast / slow)
 }

@@ -1,12 +1,14 @@
 //! Names of the longitudinal modes: short period, phugoid, and what becomes of them.
 
 use super::mode_name::{
-    ModeName, Naming, Shape, faster_of_two_pairs, mean_share, naming, percent, real_roots_in_order,
+    ModeName, Naming, Shape, faster_of_two_pairs, mean_share, naming, real_roots_in_order,
 };
+use super::reason::{Fact, StateSet};
+use crate::flight::aircraft::states::Longitudinal::W;
 
 /// Share of w and q, the states of the short period; u and θ have the rest.
 fn short_period_share(shape: &Shape) -> f64 {
-    shape.participation[1] + shape.participation[2]
+    StateSet::AngleOfAttackAndPitchRate.share(&shape.participation)
 }
 
 pub(super) fn name_modes(shapes: &[Shape]) -> Vec<Naming> {
@@ -58,80 +60,25 @@ fn short_period_members(shapes: &[Shape]) -> Vec<bool> {
 const STILL: f64 = 0.05;
 
 fn explain(name: ModeName, shape: &Shape, names: &[ModeName]) -> Naming {
-    let short_period_share = short_period_share(shape);
-    let fast = percent(short_period_share);
-    let slow = percent(1.0 - short_period_share);
-    let (confidence, reason) = match name {
-        ModeName::ShortPeriod => {
-            (short_period_share, format!("α and q carry {fast} of it while speed hardly changes."))
+    let fast = StateSet::AngleOfAttackAndPitchRate;
+    let slow = StateSet::SpeedAndPitchAngle;
+    let (states, fact) = match name {
+        ModeName::ShortPeriod => (fast, Fact::SteadySpeed),
+        ModeName::ShortPeriodFastRoot if names.contains(&ModeName::ShortPeriodSlowRoot) => {
+            (fast, Fact::ShortPeriodFaster)
         }
-        ModeName::ShortPeriodFastRoot if !names.contains(&ModeName::ShortPeriodSlowRoot) => {
-            let other = if names.contains(&ModeName::ThirdOscillatory) {
-                "has met a root of the phugoid: together they are the third oscillatory mode"
-            } else {
-                "grows: it is the divergence"
-            };
-            (
-                short_period_share,
-                format!(
-                    "α and q carry {fast} of it. The short period no longer oscillates: of its two real roots this is the faster, the other {other}."
-                ),
-            )
+        ModeName::ShortPeriodFastRoot if names.contains(&ModeName::ThirdOscillatory) => {
+            (fast, Fact::ShortPeriodBesideThirdOscillation)
         }
-        ModeName::ShortPeriodFastRoot => (
-            short_period_share,
-            format!(
-                "α and q carry {fast} of it. The short period is overdamped: two real roots, this is the faster."
-            ),
-        ),
-        ModeName::ShortPeriodSlowRoot => (
-            short_period_share,
-            format!(
-                "α and q carry {fast} of it. The short period is overdamped: two real roots, this is the slower."
-            ),
-        ),
-        ModeName::PhugoidFastRoot => (
-            1.0 - short_period_share,
-            format!(
-                "Speed and pitch attitude carry {slow} of it. The phugoid no longer oscillates: two real roots, this is the faster."
-            ),
-        ),
-        ModeName::PhugoidSlowRoot => (
-            1.0 - short_period_share,
-            format!(
-                "Speed and pitch attitude carry {slow} of it. The phugoid no longer oscillates: two real roots, this is the slower."
-            ),
-        ),
-        ModeName::ThirdOscillatory => (
-            1.0 - short_period_share,
-            format!(
-                "An oscillation beside a real root that grows: neither phugoid nor short period (α and q {fast}, speed and attitude {slow})."
-            ),
-        ),
-        ModeName::Divergence if short_period_share >= 0.5 => (
-            short_period_share,
-            format!("A real root that grows, with α and q carrying {fast} of it: the nose keeps going."),
-        ),
-        ModeName::Divergence => {
-            let left = if shape.participation[3] > shape.participation[0] { "attitude" } else { "speed" };
-            (
-                1.0 - short_period_share,
-                format!(
-                    "A real root that grows, with speed and pitch attitude carrying {slow} of it: the aircraft keeps leaving its {left}."
-                ),
-            )
-        }
-        _ if shape.participation[1] < STILL => (
-            1.0 - short_period_share,
-            format!("Speed and pitch attitude carry {slow} of it: they trade energy at nearly constant α."),
-        ),
-        _ => (
-            1.0 - short_period_share,
-            format!(
-                "Speed and pitch attitude carry {slow} of it: they trade energy, and α, with {}, swings along.",
-                percent(shape.participation[1])
-            ),
-        ),
+        ModeName::ShortPeriodFastRoot => (fast, Fact::ShortPeriodBesideDivergence),
+        ModeName::ShortPeriodSlowRoot => (fast, Fact::ShortPeriodSlower),
+        ModeName::PhugoidFastRoot => (slow, Fact::PhugoidFaster),
+        ModeName::PhugoidSlowRoot => (slow, Fact::PhugoidSlower),
+        ModeName::ThirdOscillatory => (slow, Fact::OscillationBesideDivergence),
+        ModeName::Divergence if short_period_share(shape) >= 0.5 => (fast, Fact::PitchDivergence),
+        ModeName::Divergence => (slow, Fact::SpeedDivergence),
+        _ if shape.participation[W.index()] < STILL => (slow, Fact::EnergyExchange),
+        _ => (slow, Fact::EnergyExchangeWithAlpha),
     };
-    naming(name, confidence, reason)
+    naming(name, shape, states, vec![fact])
 }

@@ -4,8 +4,6 @@
 //! error is kept below [`STEP_ERROR`] of each number, and of its unit. The flight stops, with a sentence, at
 //! the moment it leaves the [`Limits`](super::six_dof::Limits) of the aerodynamic model.
 
-use std::fmt;
-
 use nalgebra::Vector4;
 
 use super::aerodynamics::Controls;
@@ -98,45 +96,6 @@ pub enum Reason {
     TooFast,
     /// A control or the wind is not a finite number.
     Input,
-}
-
-impl fmt::Display for Stop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let time = self.time;
-        let side = |x: f64| if x < 0.0 { "below" } else { "above" };
-        match self.reason {
-            Reason::AngleOfAttack(alpha) => write!(
-                f,
-                "at {time:.1} s the angle of attack is {:.1}° {} the trim’s, and beyond that this aircraft’s \
-                 data mean nothing",
-                alpha.to_degrees().abs(),
-                side(alpha)
-            ),
-            Reason::Sideslip(beta) => write!(
-                f,
-                "at {time:.1} s the sideslip is {:.1}° to the {}, and beyond that this aircraft’s data mean nothing",
-                beta.to_degrees().abs(),
-                if beta < 0.0 { "left" } else { "right" }
-            ),
-            Reason::Mach(mach) => write!(
-                f,
-                "at {time:.1} s the Mach number is {mach:.2}, and beyond that this aircraft’s coefficients do not hold"
-            ),
-            Reason::Airspeed(speed) => write!(
-                f,
-                "at {time:.1} s the airspeed is {speed:.1} m/s, half the trim speed away from it, and this aircraft’s \
-                 derivatives hold only near the trim"
-            ),
-            Reason::NoLateralData => write!(
-                f,
-                "at {time:.1} s something moves the aircraft out of its plane of symmetry, and it has no lateral data"
-            ),
-            Reason::TooFast => {
-                write!(f, "at {time:.1} s the motion is too fast or too large to be followed any further")
-            }
-            Reason::Input => write!(f, "at {time:.1} s a control or the wind is not a finite number"),
-        }
-    }
 }
 
 impl SixDof {

@@ -11,6 +11,7 @@ use thiserror::Error;
 use super::outputs::OutputRow;
 use super::response::{Forced, Response};
 use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 
 /// Above this condition number of a mode its part is not drawn: parts a thousand times the motion would cancel each other.
 pub const WORST_SPLIT: f64 = 1e3;
@@ -27,24 +28,17 @@ pub struct ModalSum {
 /// Why a response has no meaningful split.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum SplitError {
-    /// Eigenvectors nearly dependent.
-    #[error(
-        "the {name} shares its shape with another mode here (condition {condition:.0}): the parts would be huge and cancel each other, so the \
-         split says nothing"
-    )]
+    /// Eigenvectors nearly dependent, so that the parts would be huge and cancel each other.
     Dependent {
-        /// The mode, in words.
-        name: &'static str,
+        /// The mode.
+        name: ModeName,
         /// Its condition number.
         condition: f64,
     },
     /// A coordinate of the path, with a mode that neither dies away nor grows.
-    #[error(
-        "the {name} neither dies away nor grows, so its part in the path cannot be told from steady drift"
-    )]
     Drift {
-        /// The mode, in words.
-        name: &'static str,
+        /// The mode.
+        name: ModeName,
     },
 }
 
@@ -58,7 +52,7 @@ pub fn modal_sum(
     let of_path = row.path != Vector2::zeros();
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     for mode in modes {
-        let name = mode.naming.name.text();
+        let name = mode.naming.name;
         if mode.condition > WORST_SPLIT {
             return Err(SplitError::Dependent { name, condition: mode.condition });
         }

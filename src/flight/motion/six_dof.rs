@@ -114,24 +114,14 @@ pub struct Jacobian {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum SixDofError {
     /// There is no such aircraft or no such steady flight.
-    #[error(transparent)]
     Study(#[from] StudyError),
     /// Only A and B are known.
-    #[error(
-        "this aircraft is given by its matrices, which hold for small disturbances only: flight far from the trim \
-         needs coefficients or derivatives"
-    )]
     Matrices,
     /// Only lateral data.
-    #[error("without longitudinal data nothing is known of what holds the aircraft up")]
     NoLongitudinal,
     /// Ixz without Ix, Iy and Iz.
-    #[error(
-        "the product of inertia is known but not Ix, Iy and Iz, without which the gyroscopic moments are not"
-    )]
     NoInertia,
     /// No speed, or no level to bank from.
-    #[error("a trim at {speed} m/s and a pitch angle of {theta_deg:.0}° cannot be flown from")]
     Trim {
         /// Airspeed \[m/s\].
         speed: f64,
@@ -139,7 +129,6 @@ pub enum SixDofError {
         theta_deg: f64,
     },
     /// Newton's method did not get there.
-    #[error("no trim was found: an acceleration of {residual:.1e} m/s² or rad/s² is left")]
     NoBalance {
         /// What is left \[m/s² or rad/s²\].
         residual: f64,

@@ -13,7 +13,6 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
 use crate::flight::modes::stability::Stability;
-use crate::number::significant;
 
 /// How good the handling is (1.5, p. 4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,16 +28,6 @@ pub enum Level {
 }
 
 impl Level {
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::One => "Level 1",
-            Self::Two => "Level 2",
-            Self::Three => "Level 3",
-            Self::Beyond => "Worse than Level 3",
-        }
-    }
-
     const fn number(self) -> usize {
         self as usize
     }
@@ -80,52 +69,22 @@ pub struct Verdict {
     /// The limit of Level 1 on a quantity that the mode doesn't have, and so meets: what never doubles has no time to double.
     pub met_by_absence: Option<Requirement>,
     /// What else is to be said of how it was judged.
-    pub note: Option<&'static str>,
+    pub remark: Option<Remark>,
     /// The phase of flight whose limits these are.
     pub category: Category,
-    /// Paragraph of MIL-F-8785C.
-    pub paragraph: &'static str,
-    /// Table or figure and page of MIL-F-8785C.
-    pub table: &'static str,
 }
 
-impl Verdict {
-    /// The verdict in one sentence with its source.
-    pub fn sentence(&self) -> String {
-        let boundary = if self.on_boundary { ", on the boundary" } else { "" };
-        let note = self.note.map_or_else(String::new, |note| format!(", {note}"));
-        let why = self.why().map_or_else(String::new, |why| format!(": {why}"));
-        format!(
-            "{}{boundary}{why}{note} (MIL-F-8785C {}, {}, {}).",
-            self.level.text(),
-            self.paragraph,
-            self.table,
-            self.category.text()
-        )
-    }
-
-    /// The value beside its limits; `None` where no number decides.
-    fn why(&self) -> Option<String> {
-        if let Some(Requirement { quantity, limit, .. }) = self.met_by_absence {
-            let (symbol, unit) = (quantity.symbol(), quantity.unit());
-            let limit = significant(limit, 3);
-            return Some(format!("it never doubles, Level 1 asks {symbol} of at least {limit}{unit}"));
-        }
-        let Governing { requirement, of, other, value } = self.governing?;
-        let Requirement { quantity, is_minimum, limit } = requirement;
-        let (symbol, unit, of) = (quantity.symbol(), quantity.unit(), of.text());
-        let [value, limit] = [value, limit].map(|x| significant(x, 3));
-        let Some(other) = other.map(|other| significant(other, 3)) else {
-            let bound = if is_minimum { "at least" } else { "at most" };
-            return Some(format!("{symbol} is {value}{unit}, {of} asks {bound} {limit}{unit}"));
-        };
-        let [low, high] = if is_minimum { [limit, other] } else { [other, limit] };
-        Some(if self.level == Level::One {
-            format!("{symbol} {value} lies within {of}’s {low} to {high}{unit}")
-        } else {
-            format!("{symbol} is {value}{unit}, {of} asks {low} to {high}{unit}")
-        })
-    }
+/// What a limit and a value don't say of a verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remark {
+    /// Two real roots were judged as one motion, since the oscillation has become such.
+    TwoRealRoots,
+    /// A Dutch roll that diverges.
+    Diverges,
+    /// A roll rate that doesn't die away.
+    RollGrows,
+    /// A coupled roll–spiral oscillation in a category that allows none.
+    NotAllowed,
 }
 
 /// All verdicts for the plane of `model`, whose modes are `modes`, for a class of aircraft in a phase of flight.
@@ -163,10 +122,10 @@ fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Cate
     let mut verdicts = Vec::new();
     if let Some(motion) = second_order(modes, SHORT_PERIOD) {
         let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
-        let note = note_on_roots(modes, ModeName::ShortPeriod);
+        let remark = remark_on_roots(modes, ModeName::ShortPeriod);
         let values = vec![(Quantity::DampingRatio, zeta)];
         let damping = judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
-        verdicts.push(Verdict { note, ..damping });
+        verdicts.push(Verdict { remark, ..damping });
         // CAP = ωₙ²/(n/α)
         let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
         if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
@@ -177,14 +136,14 @@ fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Cate
             ];
             let levels = short_period_frequency(class, category);
             let frequency = judge(Criterion::ShortPeriodFrequency, category, values, &levels);
-            verdicts.push(Verdict { note, ..frequency });
+            verdicts.push(Verdict { remark, ..frequency });
         }
     }
     if let Some(motion) = second_order(modes, PHUGOID) {
         let mut values = vec![(Quantity::DampingRatio, motion.damping_ratio)];
         values.extend(find(modes, ModeName::Phugoid).and_then(time_to_double));
-        let note = note_on_roots(modes, ModeName::Phugoid);
-        verdicts.push(Verdict { note, ..judge(Criterion::Phugoid, category, values, &phugoid()) });
+        let remark = remark_on_roots(modes, ModeName::Phugoid);
+        verdicts.push(Verdict { remark, ..judge(Criterion::Phugoid, category, values, &phugoid()) });
     }
     verdicts
 }
@@ -202,10 +161,10 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
             (Quantity::NaturalFrequency, wn),
         ];
         let levels = dutch_roll(class, category, wn, phi_rule);
-        let note = note_on_roots(modes, ModeName::DutchRoll);
-        verdicts.push(Verdict { note, ..judge(Criterion::DutchRoll, category, values, &levels) });
+        let remark = remark_on_roots(modes, ModeName::DutchRoll);
+        verdicts.push(Verdict { remark, ..judge(Criterion::DutchRoll, category, values, &levels) });
     } else if find(modes, ModeName::DutchRollLessStableRoot).is_some_and(grows) {
-        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new(), "it diverges"));
+        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new(), Remark::Diverges));
     }
     if let Some(mode) = find(modes, ModeName::RollSubsidence) {
         verdicts.push(match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
@@ -215,7 +174,7 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
                 vec![(Quantity::TimeConstant, tau)],
                 &roll_mode(class, category),
             ),
-            None => not_allowed(Criterion::RollMode, category, Vec::new(), "the roll doesn’t die away"),
+            None => not_allowed(Criterion::RollMode, category, Vec::new(), Remark::RollGrows),
         });
     }
     if let Some(mode) = find(modes, ModeName::Spiral) {
@@ -227,10 +186,7 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
         let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
         verdicts.push(match coupled_roll_spiral(category) {
             Some(levels) => judge(Criterion::CoupledRollSpiral, category, values, &levels),
-            None => {
-                let why = "no coupled oscillation of roll and spiral is allowed in this category";
-                not_allowed(Criterion::CoupledRollSpiral, category, values, why)
-            }
+            None => not_allowed(Criterion::CoupledRollSpiral, category, values, Remark::NotAllowed),
         });
     }
     verdicts
@@ -249,15 +205,15 @@ fn time_to_double(mode: &Mode) -> Option<(Quantity, f64)> {
 }
 
 /// That two real roots were judged together, where the oscillation by this name has become such.
-fn note_on_roots(modes: &[Mode], pair: ModeName) -> Option<&'static str> {
-    find(modes, pair).is_none().then_some("its two real roots taken as one motion")
+fn remark_on_roots(modes: &[Mode], pair: ModeName) -> Option<Remark> {
+    find(modes, pair).is_none().then_some(Remark::TwoRealRoots)
 }
 
 fn not_allowed(
     criterion: Criterion,
     category: Category,
     values: Vec<(Quantity, f64)>,
-    why: &'static str,
+    remark: Remark,
 ) -> Verdict {
     Verdict {
         criterion,
@@ -266,10 +222,8 @@ fn not_allowed(
         values,
         governing: None,
         met_by_absence: None,
-        note: Some(why),
+        remark: Some(remark),
         category,
-        paragraph: criterion.paragraph(),
-        table: criterion.table(category),
     }
 }
 
@@ -311,10 +265,8 @@ fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>,
         on_boundary: level_with(-1.0) != level_with(1.0),
         governing,
         met_by_absence,
-        note: None,
+        remark: None,
         category,
-        paragraph: criterion.paragraph(),
-        table: criterion.table(category),
         values,
     }
 }

@@ -53,16 +53,6 @@ impl Boundary {
     pub fn is_of_real_root(&self) -> bool {
         matches!(self.criterion, Criterion::RollMode | Criterion::Spiral)
     }
-
-    /// "Level 1", or "Levels 2–3" where both ask the same.
-    pub fn levels(&self) -> String {
-        let number = |level: Level| level.text().trim_start_matches("Level ").to_owned();
-        if self.level == self.to {
-            self.level.text().to_owned()
-        } else {
-            format!("Levels {}–{}", number(self.level), number(self.to))
-        }
-    }
 }
 
 /// The boundaries for the modes that an aircraft has, in the order of its modes and of the levels.

@@ -56,32 +56,12 @@ impl Category {
     pub const NAMES: [(&'static str, Self); 4] =
         [("A-combat", Self::ACombat), ("A", Self::A), ("B", Self::B), ("C", Self::C)];
 
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::ACombat => "Category A, combat",
-            Self::A => "Category A",
-            Self::B => "Category B",
-            Self::C => "Category C",
-        }
-    }
-
     /// The letter of the category.
     pub const fn letter(self) -> &'static str {
         match self {
             Self::ACombat | Self::A => "A",
             Self::B => "B",
             Self::C => "C",
-        }
-    }
-
-    /// The phases of flight that it is of, in words.
-    pub const fn phases(self) -> &'static str {
-        match self {
-            Self::ACombat => "air combat and ground attack",
-            Self::A => "rapid manoeuvring and precise tracking",
-            Self::B => "climb, cruise, loiter and descent",
-            Self::C => "take-off, approach and landing",
         }
     }
 
@@ -107,32 +87,6 @@ pub enum Quantity {
     TimeConstant,
     /// T₂ \[s\]; absent where nothing doubles, and then met.
     TimeToDouble,
-}
-
-impl Quantity {
-    /// Its symbol.
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::DampingRatio => "ζ",
-            Self::NaturalFrequency => "ωₙ",
-            Self::DampingProduct => "ζωₙ",
-            Self::ControlAnticipation => "CAP",
-            Self::LoadFactorSlope => "n/α",
-            Self::TimeConstant => "τ",
-            Self::TimeToDouble => "T₂",
-        }
-    }
-
-    /// Its unit, with a space before it; empty for a pure number.
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::DampingRatio => "",
-            Self::NaturalFrequency | Self::DampingProduct => " rad/s",
-            Self::ControlAnticipation => " (rad/s)²/(g/rad)",
-            Self::LoadFactorSlope => " g/rad",
-            Self::TimeConstant | Self::TimeToDouble => " s",
-        }
-    }
 }
 
 /// One limit: a quantity has to be at least, or at most, so much.
@@ -208,22 +162,46 @@ impl Criterion {
         }
     }
 
-    /// Table or figure, and page, of MIL-F-8785C.
-    pub const fn table(self, category: Category) -> &'static str {
+    /// Where in MIL-F-8785C the limits stand.
+    pub const fn source(self, category: Category) -> Source {
         match self {
-            Self::Phugoid => "text, p. 12",
-            Self::ShortPeriodDamping => "Table IV, p. 13",
+            Self::Phugoid => Source::Text { page: 12 },
+            Self::ShortPeriodDamping => Source::Table { number: "IV", page: 13 },
             Self::ShortPeriodFrequency => match category {
-                Category::A | Category::ACombat => "Figure 1, p. 14",
-                Category::B => "Figure 2, p. 15",
-                Category::C => "Figure 3, p. 16",
+                Category::A | Category::ACombat => Source::Figure { number: 1, page: 14 },
+                Category::B => Source::Figure { number: 2, page: 15 },
+                Category::C => Source::Figure { number: 3, page: 16 },
             },
-            Self::DutchRoll => "Table VI, p. 22",
-            Self::RollMode => "Table VII, p. 23",
-            Self::Spiral => "Table VIII, p. 23",
-            Self::CoupledRollSpiral => "text, p. 23",
+            Self::DutchRoll => Source::Table { number: "VI", page: 22 },
+            Self::RollMode => Source::Table { number: "VII", page: 23 },
+            Self::Spiral => Source::Table { number: "VIII", page: 23 },
+            Self::CoupledRollSpiral => Source::Text { page: 23 },
         }
     }
+}
+
+/// A place in MIL-F-8785C, by its printed page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The text of the paragraph.
+    Text {
+        /// Page.
+        page: u32,
+    },
+    /// A table.
+    Table {
+        /// Roman number of the table.
+        number: &'static str,
+        /// Page.
+        page: u32,
+    },
+    /// A figure.
+    Figure {
+        /// Number of the figure.
+        number: u32,
+        /// Page.
+        page: u32,
+    },
 }
 
 /// The requirements of Levels 1, 2 and 3.

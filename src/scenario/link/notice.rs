@@ -109,10 +109,6 @@ impl fmt::Display for Notice {
             Self::Word { key, word } => {
                 write!(f, "“{key}={word}” was left out: “{word}” isn't one of its words.")
             }
-            // The error's advice is for someone who types.
-            Self::Value { key, name, error: ValueError::NotANumber(text) } => {
-                write!(f, "The {name} ({key}) was left out: “{text}” is not a number.")
-            }
             Self::Value { key, name, error } => write!(f, "The {name} ({key}) was left out: {error}."),
             Self::NotOf { name, aircraft } => {
                 write!(f, "The {name} was left out: the data of {aircraft} don't have it.")

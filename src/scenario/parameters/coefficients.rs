@@ -134,7 +134,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         dimension: Dimension::PerRadian,
         meaning: "Lift while the angle of attack grows, for a unit of α̇c/2V, c the mean chord: the wing's downwash reaches \
             the tail late.",
-        sign: "Positive by the late downwash, negative in some sources; it moves the modes only a little.",
+        sign: "Positive by the downwash lag, negative in some sources; it moves the modes only a little.",
         origin: "Tail, behind the wing's downwash.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cl_alphadot),
         extent: Extent::Relative { low: -2.0, high: 3.0, floor: 2.0 },
@@ -142,7 +142,7 @@ pub(super) const ROWS: [Parameter; 30] = [
     Parameter {
         key: "cm_alphadot",
         symbol: "C_{mα̇}",
-        name: "pitch damping due to late downwash",
+        name: "pitch damping due to downwash lag",
         page: Page::Coefficients,
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttackRate,

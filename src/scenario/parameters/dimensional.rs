@@ -37,7 +37,7 @@ pub(super) const ROWS: [Parameter; 32] = [
     Parameter {
         key: "m_u",
         symbol: "M_u",
-        name: "speed stability",
+        name: "pitching moment due to speed",
         page: Page::Dimensional,
         plane: Some(Plane::Longitudinal),
         group: Group::Speed,
@@ -84,8 +84,8 @@ pub(super) const ROWS: [Parameter; 32] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerLengthSecond,
-        meaning: "Nose-up moment over Iy for a unit of downward speed. Negative: a gust that raises the nose \
-            makes a moment that lowers it.",
+        meaning: "Nose-up moment over Iy for a unit of downward speed. Negative: a gust that raises the \
+            angle of attack makes a moment that lowers the nose.",
         sign: "Negative is statically stable and stiffens the short period.",
         origin: "Tail, and the centre of gravity ahead of the neutral point.",
         place: Place::LongitudinalDerivative(|d| &mut d.m_w),
@@ -101,7 +101,7 @@ pub(super) const ROWS: [Parameter; 32] = [
         dimension: Dimension::Number,
         meaning: "Downward force over mass while the downward speed grows, as a share of that growth: the \
             wing's downwash reaches the tail late, so the tail lifts more.",
-        sign: "Negative by the late downwash, positive in some sources; small beside 1, and it moves the \
+        sign: "Negative by the downwash lag, positive in some sources; small beside 1, and it moves the \
             modes only a little.",
         origin: "Tail, behind the wing's downwash.",
         place: Place::LongitudinalDerivative(|d| &mut d.z_wdot),
@@ -110,7 +110,7 @@ pub(super) const ROWS: [Parameter; 32] = [
     Parameter {
         key: "m_wdot",
         symbol: "M_ẇ",
-        name: "pitch damping due to late downwash",
+        name: "pitch damping due to downwash lag",
         page: Page::Dimensional,
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttackRate,

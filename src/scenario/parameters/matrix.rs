@@ -37,7 +37,7 @@ pub(super) const ROWS: [Parameter; 33] = [
     Parameter {
         key: "a_qu",
         symbol: "M′_u",
-        name: "speed stability",
+        name: "pitching moment due to speed",
         page: Page::Matrix,
         plane: Some(Plane::Longitudinal),
         group: Group::Speed,
@@ -84,8 +84,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerLengthSecond,
-        meaning: "Nose-up moment for a unit of downward speed. Negative: a gust that raises the nose makes a \
-            moment that lowers it. The prime: the ẇ terms are folded in.",
+        meaning: "Nose-up moment for a unit of downward speed. Negative: a gust that raises the angle of \
+            attack makes a moment that lowers the nose. The prime: the ẇ terms are folded in.",
         sign: "Negative is statically stable and stiffens the short period.",
         origin: "Tail, and the centre of gravity ahead of the neutral point.",
         place: Place::A(Plane::Longitudinal, 2, 1, 1.0),

@@ -203,16 +203,12 @@ impl PartialEq for Parameter {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ValueError {
     /// The text isn't a number.
-    #[error("“{0}” is not a number; type one such as −0.35 or 2e-3")]
     NotANumber(String),
     /// NaN or infinite.
-    #[error("only a finite number can be used here")]
     NotFinite,
     /// Between two whole numbers, where only those mean something.
-    #[error("only a whole number can be used here")]
     NotWhole,
     /// Beyond anything with a meaning.
-    #[error("{value} is beyond anything meaningful here: {} is accepted", format!("{low} to {high} {unit}").trim_end())]
     Absurd {
         /// The refused value, in the shown unit.
         value: String,

@@ -8,10 +8,11 @@ use crate::flight::modes::mode::Mode;
 use crate::scenario::{Flown, Page, Parameter, Scenario, Source, parameters};
 use crate::ui::derivatives::{Chosen, Outlook, Rows, derivatives_ui, is_listed};
 use crate::ui::memo::{Followed, Memo};
-use crate::ui::mode_cards::{Card, banner_ui, card_ui, units_warning, verdicts_ui};
+use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::poles::Seen;
 use crate::ui::responses::Studied;
 use crate::ui::theme::Palette;
+use crate::words;
 
 impl App {
     pub(super) fn derivatives_ui(&mut self, ui: &mut Ui, rows: Rows) {
@@ -159,7 +160,7 @@ impl App {
             return None;
         };
         verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
-        let warning = units_warning(analysis)?;
+        let warning = words::stability::mixed_units(analysis)?;
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
         let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;
         let offered = self.ghost.is_none() && ui.button("Compare with gravity in the same unit").clicked();

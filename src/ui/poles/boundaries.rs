@@ -8,8 +8,8 @@ use super::grid;
 use super::labels::Placement;
 use crate::flight::verdicts::handling_qualities::Level;
 use crate::flight::verdicts::level_boundaries::{Boundary, Line};
-use crate::number::trimmed;
 use crate::ui::theme::Palette;
+use crate::words;
 
 /// Distance and length of the strokes of the hatching.
 const HATCH: (f32, f32) = (7.0, 6.0);
@@ -112,24 +112,12 @@ pub fn distance(boundary: &Boundary, chart: &Chart, to: Pos2) -> f32 {
     parts.iter().flat_map(|part| spaced(part, 3.0)).map(|at| at.distance(to)).fold(f32::INFINITY, f32::min)
 }
 
-/// "Level 1: ζ 0.3".
-pub fn text(boundary: &Boundary) -> String {
-    let requirement = boundary.requirement;
-    let quantity = requirement.quantity;
-    format!(
-        "{}: {} {}{}",
-        boundary.levels(),
-        quantity.symbol(),
-        trimmed(requirement.limit, 3),
-        quantity.unit()
-    )
-}
-
 /// Writes what each line is, beside it on the side that keeps the limit, where there is room.
 pub fn labels(painter: &Painter, palette: &Palette, placement: &mut Placement, lines: &[Drawn<'_>]) {
     for Drawn { boundary, parts, fails } in lines {
         let color = palette.mode_text(boundary.criterion.concerns());
-        let galley = painter.layout_no_wrap(text(boundary), FontId::proportional(10.0), color);
+        let galley =
+            painter.layout_no_wrap(words::verdict::boundary(boundary), FontId::proportional(10.0), color);
         let place = |at: Pos2| {
             let keeps = -fails(at);
             let half = 0.5 * galley.size();

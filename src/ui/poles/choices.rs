@@ -16,6 +16,7 @@ use crate::ui::derivatives::Rows;
 use crate::ui::influence;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// Symbols written on the button; of more, how many.
 const WRITTEN: usize = 3;
@@ -130,7 +131,11 @@ impl Choices {
         let [whole, shorter, shortest, least] = jobs.map(|(before, written)| job(before, written));
         let job = [whole, shorter, shortest].into_iter().find(fits).unwrap_or(least);
         let plain: Vec<String> = parameters.iter().map(|p| Symbol::parse(p.symbol).plain()).collect();
-        let name = format!("Drag of the {} moves {}", mode.naming.name.text(), plain.join(", "));
+        let name = format!(
+            "Drag of the {} moves {}",
+            words::mode::in_a_sentence(mode.naming.name),
+            plain.join(", ")
+        );
         let button = ui.add(Button::new(job).frame_when_inactive(false)).accessible_name(name);
         let button = button.on_hover_text("Which derivatives change when a pole is dragged");
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
@@ -138,10 +143,10 @@ impl Choices {
         let popup = popup.style(StyleModifier::default());
         popup.show(|ui| {
             ui.set_width(268.0);
-            ui.label(RichText::new("A pole that is dragged moves").font(theme::small()).color(palette.weak));
+            ui.label(RichText::new("Dragging this pole changes").font(theme::small()).color(palette.weak));
             ui.horizontal_wrapped(|ui| {
                 for (i, mode) in plane.modes.iter().enumerate() {
-                    let text = RichText::new(mode.naming.name.text()).font(theme::small());
+                    let text = RichText::new(words::mode::title(mode.naming.name)).font(theme::small());
                     let text =
                         if i == index { text } else { text.color(palette.mode_text(mode.naming.name)) };
                     if ui.add(Button::selectable(i == index, text)).clicked() {

@@ -7,6 +7,7 @@ use super::chart::Chart;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::Scenario;
+use crate::words;
 
 /// What a person's hand does with a pole in this frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -96,6 +97,6 @@ impl Outcome {
     /// Why it is not there, in a sentence.
     pub fn sentence(&self) -> Option<String> {
         let obstacle = self.obstacle.as_ref()?;
-        Some(format!("{} can’t follow: {obstacle}.", self.name.text()))
+        Some(format!("{} can’t follow: {obstacle}.", words::mode::title(self.name)))
     }
 }

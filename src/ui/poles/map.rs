@@ -16,6 +16,7 @@ use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{fixed, round_up, significant};
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// Room above a map for its name and its buttons.
 pub const CAPTION: f32 = 18.0;
@@ -27,7 +28,7 @@ const MARK: f32 = 14.0;
 #[derive(Debug)]
 pub struct Map<'a> {
     /// What it is called.
-    pub name: &'static str,
+    pub captions: [&'static str; 3],
     /// With its caption.
     pub rect: Rect,
     /// Indices of the modes that its range is made for.
@@ -101,18 +102,18 @@ impl Map<'_> {
     ) {
         let rect = chart.rect;
         let caption = self.rect.min + Vec2::new(0.0, 0.5 * CAPTION - 1.0);
-        let until = |end: char| self.name.split(end).next().unwrap_or(self.name);
+        let [long, short, shortest] = self.captions;
         let name = match rect.width() {
-            width if width < NARROWEST => until(' '),
-            width if width < NARROW => until(','),
-            _ => self.name,
+            width if width < NARROWEST => shortest,
+            width if width < NARROW => short,
+            _ => long,
         };
         ui.painter().text(caption, Align2::LEFT_CENTER, name, theme::small(), palette.weak);
         let painter = ui.painter_at(rect);
         let levels: Vec<_> =
             self.boundaries(extras.boundaries).map(|boundary| boundaries::drawn(boundary, chart)).collect();
         let paths = seen.locus.map_or_else(Vec::new, |(_, locus)| marks::paths(chart, locus));
-        grid::draw(&painter, self.name, chart, palette);
+        grid::draw(&painter, self.captions[0], chart, palette);
         boundaries::draw(&painter, palette, &levels);
         if let Some(inset) = extras.inset {
             frame(&painter, chart, palette, inset);
@@ -230,9 +231,9 @@ impl Map<'_> {
 
     /// What the map shows, in words.
     pub fn describe(&self) -> String {
-        let words = |mode: &Mode| format!("{} {}", mode.naming.name.text(), numbers(mode));
+        let words = |mode: &Mode| format!("{} {}", words::mode::title(mode.naming.name), numbers(mode));
         let modes: Vec<String> = self.modes.iter().map(words).collect();
-        format!("Pole map, {}: {}", self.name, modes.join("; "))
+        format!("Pole map, {}: {}", self.captions[0], modes.join("; "))
     }
 }
 
@@ -308,7 +309,7 @@ impl Label {
 fn texts(painter: &Painter, palette: &Palette, mode: &Mode) -> Vec<Lines> {
     let color = palette.mode_text(mode.naming.name);
     let text = |text: String, font: FontId| painter.layout_no_wrap(text, font, color);
-    let name = mode.naming.name.text();
+    let name = words::mode::title(mode.naming.name);
     let numbers = text(numbers(mode), FontId::proportional(11.0));
     let mut texts = vec![vec![text(name.to_owned(), theme::semibold(12.5)), numbers]];
     let font = || theme::semibold(11.5);
@@ -363,7 +364,7 @@ mod tests {
     use crate::flight::aircraft::plane::Plane;
     use crate::scenario::{Parameter, Scenario};
     use crate::ui::poles::range::MapRange;
-    use crate::ui::poles::{NAMES, slow_modes};
+    use crate::ui::poles::{CAPTIONS, slow_modes};
     use crate::ui::theme::Look;
 
     /// Both maps of a desk, a tablet, a phone and a whole page.
@@ -391,8 +392,14 @@ mod tests {
                 let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
                 let all = (0..modes.len()).collect();
                 let maps = [
-                    Map { name: NAMES[0], rect: rects[0], ranged: all, home: fast, modes },
-                    Map { name: NAMES[1], rect: rects[1], ranged: slow.clone(), home: slow.clone(), modes },
+                    Map { captions: CAPTIONS[0], rect: rects[0], ranged: all, home: fast, modes },
+                    Map {
+                        captions: CAPTIONS[1],
+                        rect: rects[1],
+                        ranged: slow.clone(),
+                        home: slow.clone(),
+                        modes,
+                    },
                 ];
                 let charts = [0, 1].map(|i: usize| {
                     MapRange::default().chart(ui, maps[i].wanted_view(), maps[i].plot_rect(), false)
@@ -441,7 +448,7 @@ mod tests {
         for scenario in scenarios() {
             each_map(&scenario, |map, chart, labels| {
                 for label in labels {
-                    let name = map.modes[label.mode].naming.name.text();
+                    let name = words::mode::title(map.modes[label.mode].naming.name);
                     let nearest = |index: usize| {
                         let poles = map.poles_on(chart, index).into_iter();
                         poles.map(|pole| label.place.rect.distance_to_pos(pole)).fold(f32::INFINITY, f32::min)
@@ -481,7 +488,7 @@ mod tests {
                 for &index in &map.home {
                     let on_map = !map.poles_on(chart, index).is_empty();
                     let named = labels.iter().any(|label| label.mode == index);
-                    let name = map.modes[index].naming.name.text();
+                    let name = words::mode::title(map.modes[index].naming.name);
                     let told = format!("{} {:?} {name} {}", scenario.aircraft.key, scenario.plane, map.rect);
                     assert!(named || !on_map, "{told}");
                 }

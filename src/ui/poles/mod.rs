@@ -54,11 +54,14 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
 use crate::number::{round_up, significant};
 use crate::scenario::{Page, Parameter, Scenario};
+use crate::words;
 
-const NAMES: [&str; 2] = ["All modes", "Slow modes, own scale"];
-/// A narrower map has room for the first words of its name only.
+/// Captions of the two maps, each for a wide, a narrow and the narrowest one.
+const CAPTIONS: [[&str; 3]; 2] =
+    [["All modes", "All modes", "All"], ["Slow modes, own scale", "Slow modes", "Slow"]];
+/// A narrower map has room for its short caption only.
 const NARROW: f32 = 230.0;
-/// A narrower one for its first word, beside the buttons.
+/// A narrower one for its shortest, beside the buttons.
 const NARROWEST: f32 = 130.0;
 /// A press of a zoom button or key.
 const ZOOM_STEP: f64 = 1.5;
@@ -197,8 +200,8 @@ impl PoleMap {
         let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
         let all = (0..modes.len()).collect();
         let maps = [
-            Map { name: NAMES[0], rect: left, ranged: all, home: fast, modes },
-            Map { name: NAMES[1], rect: right, ranged: slow.clone(), home: slow, modes },
+            Map { captions: CAPTIONS[0], rect: left, ranged: all, home: fast, modes },
+            Map { captions: CAPTIONS[1], rect: right, ranged: slow.clone(), home: slow, modes },
         ];
         let held_on = self.held.as_ref().map(|held| held.map);
         let charts: [Chart; 2] = std::array::from_fn(|i| {
@@ -379,7 +382,7 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
         let size = Vec2::splat(2.0 * marks::CROSS + 4.0);
         let place = Rect::from_center_size(chart.position(mode.lambda), size);
         let response = ui.interact(place, pole_id(i), Sense::focusable_noninteractive());
-        let name = format!("{} pole, {} 1/s", mode.naming.name.text(), eigenvalue(mode.lambda));
+        let name = format!("{} pole, {} 1/s", words::mode::title(mode.naming.name), eigenvalue(mode.lambda));
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_description("Arrow keys move it, with Shift further; Escape ends.");
@@ -406,8 +409,9 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
         let weak = Palette::of(ui).weak;
         let mut pressed = |text: &str, does: &str| {
             let button = Button::new(RichText::new(text).font(theme::small()).color(weak));
-            let response =
-                ui.add(button.frame_when_inactive(false)).accessible_name(format!("{does}, {}", map.name));
+            let response = ui
+                .add(button.frame_when_inactive(false))
+                .accessible_name(format!("{does}, {}", map.captions[0]));
             response.on_hover_text(does).clicked()
         };
         if for_mouse && pressed("+", "Zoom in") {

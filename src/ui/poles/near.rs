@@ -11,9 +11,10 @@ use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::significant;
 use crate::scenario::Parameter;
-use crate::ui::mode_cards::{approximation_values, numbers_ui};
+use crate::ui::mode_cards::numbers_ui;
 use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// How far from a pole it can be taken, with a mouse and with a finger \[points\].
 const REACH: (f32, f32) = (24.0, 32.0);
@@ -128,27 +129,39 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
         Near::Pole(index) => {
             let Some(mode) = seen.plane.modes.get(index) else { return };
             ui.set_width(212.0);
-            title(ui, mode.naming.name.text(), mode.naming.name);
+            title(ui, words::mode::title(mode.naming.name), mode.naming.name);
             numbers_ui(ui, mode);
         }
         Near::Approximation(approximation, root) => {
             ui.set_max_width(300.0);
             let name = approximation.name.concerns();
-            title(ui, &format!("≈ {}, {}", name.text(), approximation.name.text()), name);
-            ui.label(prose(approximation.formula, theme::body(), palette.text));
+            title(
+                ui,
+                &format!(
+                    "≈ {}, {}",
+                    words::mode::title(name),
+                    words::approximation::name(approximation.name)
+                ),
+                name,
+            );
+            ui.label(prose(words::approximation::formula(approximation.name), theme::body(), palette.text));
             ui.label(format!("λ = {} 1/s", shown(root)));
-            ui.label(approximation_values(approximation));
-            ui.label(prose(approximation.neglects, theme::small(), palette.weak));
+            ui.label(words::approximation::values(approximation));
+            ui.label(prose(words::approximation::neglects(approximation.name), theme::small(), palette.weak));
         }
         Near::Level(boundary) => {
             let criterion = boundary.criterion;
-            title(ui, &boundaries::text(&boundary), criterion.concerns());
-            let bound = if boundary.requirement.is_minimum { "At least" } else { "At most" };
-            let mode = criterion.concerns().in_a_sentence();
-            let source = seen.scenario.task().map(|task| criterion.table(task.category)).unwrap_or_default();
-            ui.label(format!("{bound} that, for the {mode}."));
-            let source = format!("MIL-F-8785C {}, {source}", criterion.paragraph());
-            ui.label(RichText::new(source).font(theme::small()).color(palette.weak));
+            title(ui, &words::verdict::boundary(&boundary), criterion.concerns());
+            let mode = words::mode::in_a_sentence(criterion.concerns());
+            ui.label(if boundary.requirement.is_minimum {
+                format!("At least that, for the {mode}.")
+            } else {
+                format!("At most that, for the {mode}.")
+            });
+            if let Some(task) = seen.scenario.task() {
+                let source = words::verdict::citation(criterion, task.category);
+                ui.label(RichText::new(source).font(theme::small()).color(palette.weak));
+            }
         }
         Near::Path { parameter, value, lambda, name } => {
             let length = seen.scenario.aircraft.length_unit;
@@ -158,7 +171,7 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
             job.append(&format!(" = {} {unit}", significant(value / in_si, 3)), 0.0, text);
             ui.label(job);
             if let Some(name) = name {
-                title(ui, name.text(), name);
+                title(ui, words::mode::title(name), name);
             }
             ui.label(format!("λ = {} 1/s", shown(lambda)));
         }

@@ -6,6 +6,7 @@ use crate::flight::modes::mode::Mode;
 use crate::scenario::{Choice, Parameter, Scenario, Source};
 use crate::ui::derivatives;
 use crate::ui::theme;
+use crate::words;
 
 /// Draws the choosers; edits the disturbance in place. `modes` are those that can be flown alone.
 pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
@@ -64,11 +65,11 @@ fn shape_ui(ui: &mut Ui, choice: &mut Choice) {
 
 fn mode_ui(ui: &mut Ui, choice: &mut Choice, modes: &[Mode]) {
     let index = choice.mode.min(modes.len().saturating_sub(1));
-    let name = modes.get(index).map_or("", |mode| mode.naming.name.text());
+    let name = modes.get(index).map_or("", |mode| words::mode::title(mode.naming.name));
     let chooser = ComboBox::from_id_salt("mode").selected_text(name).width(130.0);
     let chooser = chooser.show_ui(ui, |ui| {
         for (i, mode) in modes.iter().enumerate() {
-            if ui.selectable_label(i == index, mode.naming.name.text()).clicked() {
+            if ui.selectable_label(i == index, words::mode::title(mode.naming.name)).clicked() {
                 choice.mode = i;
                 ui.close();
             }

@@ -19,6 +19,7 @@ use crate::flight::motion::outputs::Output;
 use crate::number::significant;
 use crate::scenario::link::Sight;
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// Points over all frequencies: finer than a screen can tell between peaks.
 const POINTS: usize = 400;
@@ -140,7 +141,9 @@ impl Sheet {
         entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
             let name = mode.naming.name;
             Entry {
-                mark: Mark::Upright, color: palette.mode(name), name: format!("ωₙ of {}", name.text())
+                mark: Mark::Upright,
+                color: palette.mode(name),
+                name: format!("ωₙ of the {}", words::mode::in_a_sentence(name)),
             }
         }));
         Self { bode, pictures, entries }
@@ -151,8 +154,8 @@ impl Sheet {
 fn unsteady(modes: &[Mode]) -> Option<String> {
     let growing = modes.iter().find(|mode| mode.stability == Stability::Unstable)?;
     Some(format!(
-        "{} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
-        growing.naming.name.text()
+        "The {} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
+        words::mode::in_a_sentence(growing.naming.name)
     ))
 }
 
@@ -195,7 +198,7 @@ fn peaks_ui(ui: &mut Ui, bode: &Bode) {
         for peak in &bode.peaks {
             let text = format!(
                 "{} peak: {} {unit} per {input_unit} at {} rad/s",
-                peak.mode.text(),
+                words::mode::title(peak.mode),
                 significant(peak.gain / bode.unit, 3),
                 significant(peak.frequency, 3)
             );

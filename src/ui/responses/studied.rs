@@ -15,6 +15,7 @@ use crate::flight::motion::outputs::Output;
 use crate::flight::motion::six_dof::SixDofError;
 use crate::scenario::{Dimension, Quantity, Scenario};
 use crate::ui::theme::Palette;
+use crate::words;
 
 /// A scenario with what follows from it.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +83,7 @@ impl Studied<'_> {
             .zip(sum.parts)
             .map(|(mode, part)| {
                 let name = mode.naming.name;
-                self.timed(name.text(), part, unit, Stroke::Part, palette.mode(name))
+                self.timed(words::mode::title(name), part, unit, Stroke::Part, palette.mode(name))
             })
             .collect();
         // Rounding is no part.

@@ -1,0 +1,23 @@
+//! Words for what follows: every sentence that a person reads of a mode, a verdict or an error is made here.
+//!
+//! The mathematics gives data (a name, a fact, a limit and the value beside it), and here each becomes a whole phrase, chosen by
+//! `match`: none is made by cutting, joining or changing the case of another. Where the same thing is called differently at the
+//! head of a card and within a sentence, both forms stand in the table.
+//!
+//! | module | words for |
+//! |---|---|
+//! | [`approximation`] | textbook approximations |
+//! | `errors` | why something can't be had: `Display` of the errors |
+//! | [`mode`] | names of modes |
+//! | [`naming`] | the reason for a name |
+//! | [`refusal`] | why a typed value was refused |
+//! | [`stability`] | the verdicts on a plane as a whole |
+//! | [`verdict`] | levels of handling qualities and their verdicts |
+
+pub mod approximation;
+mod errors;
+pub mod mode;
+pub mod naming;
+pub mod refusal;
+pub mod stability;
+pub mod verdict;

@@ -1,0 +1,43 @@
+//! Names of modes.
+
+use crate::flight::modes::mode_name::ModeName;
+
+/// The name as a title.
+pub const fn title(name: ModeName) -> &'static str {
+    match name {
+        ModeName::ShortPeriod => "Short period",
+        ModeName::ShortPeriodFastRoot => "Short period, fast root",
+        ModeName::ShortPeriodSlowRoot => "Short period, slow root",
+        ModeName::ThirdOscillatory => "Third oscillatory mode",
+        ModeName::Phugoid => "Phugoid",
+        ModeName::PhugoidFastRoot => "Phugoid, fast root",
+        ModeName::PhugoidSlowRoot => "Phugoid, slow root",
+        ModeName::Divergence => "Divergence",
+        ModeName::DutchRoll => "Dutch roll",
+        ModeName::DutchRollMoreStableRoot => "Dutch roll, more stable root",
+        ModeName::DutchRollLessStableRoot => "Dutch roll, less stable root",
+        ModeName::CoupledRollSpiral => "Coupled roll–spiral",
+        ModeName::RollSubsidence => "Roll subsidence",
+        ModeName::Spiral => "Spiral",
+    }
+}
+
+/// The name after an article within a sentence; "roll mode", since roll subsidence may grow too.
+pub const fn in_a_sentence(name: ModeName) -> &'static str {
+    match name {
+        ModeName::ShortPeriod => "short period",
+        ModeName::ShortPeriodFastRoot => "fast root of the short period",
+        ModeName::ShortPeriodSlowRoot => "slow root of the short period",
+        ModeName::ThirdOscillatory => "third oscillatory mode",
+        ModeName::Phugoid => "phugoid",
+        ModeName::PhugoidFastRoot => "fast root of the phugoid",
+        ModeName::PhugoidSlowRoot => "slow root of the phugoid",
+        ModeName::Divergence => "divergence",
+        ModeName::DutchRoll => "Dutch roll",
+        ModeName::DutchRollMoreStableRoot => "more stable root of the Dutch roll",
+        ModeName::DutchRollLessStableRoot => "less stable root of the Dutch roll",
+        ModeName::CoupledRollSpiral => "coupled roll–spiral oscillation",
+        ModeName::RollSubsidence => "roll mode",
+        ModeName::Spiral => "spiral",
+    }
+}

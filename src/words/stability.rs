@@ -1,0 +1,124 @@
+//! The verdicts on a plane as a whole, and the warning of mixed units.
+
+use crate::content::LengthUnit;
+use crate::flight::Analysis;
+use crate::flight::analysis::{Margins, PlaneAnalysis};
+use crate::flight::modes::stability::Stability;
+use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness, Stiffness};
+use crate::number::significant;
+use crate::scenario::Dimension;
+use crate::words::mode;
+
+/// Dynamic stability, with what grows.
+pub fn dynamic_sentence(plane: &PlaneAnalysis) -> String {
+    match plane.dynamic_stability {
+        Stability::Stable => "Dynamically stable: every pole is in the left half-plane".to_owned(),
+        Stability::Neutral => "Dynamically neutral: a pole sits on the boundary".to_owned(),
+        Stability::Unstable => {
+            let growing = plane.modes.iter().filter_map(|mode| {
+                let (name, doubles) = (mode::in_a_sentence(mode.naming.name), mode.time_to_double()?);
+                Some(format!("the {name} doubles every {} s", significant(doubles, 2)))
+            });
+            format!("Dynamically unstable: {}", growing.collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+/// What dynamic stability means.
+pub const DYNAMIC_MEANING: &str = "What happens in the end: whether every disturbance dies away, for which every pole must be left of the \
+    imaginary axis.";
+
+/// Static stability, with its numbers in the unit of length of the source.
+pub fn static_sentence(
+    stability: &PlaneStaticStability,
+    margins: Option<Margins>,
+    length: LengthUnit,
+) -> String {
+    let PlaneStaticStability { verdict, determinant, stiffness, is_plain } = *stability;
+    let stiffness_of = |stiffness: Stiffness| {
+        let value = stiffness.value / Dimension::PerLengthSecond.in_si(length);
+        format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
+    };
+    let mut readings = Vec::new();
+    let heading = match stiffness {
+        PlaneStiffness::Longitudinal { m_w, .. } => {
+            let determinant = significant(determinant, 3);
+            readings.push(match verdict {
+                Stability::Stable => format!("det A = {determinant} 1/s⁴ > 0"),
+                Stability::Neutral => "det A ≈ 0".to_owned(),
+                Stability::Unstable => format!("det A = {determinant} 1/s⁴ < 0"),
+            });
+            let m_w = stiffness_of(m_w);
+            readings.push(if is_plain {
+                format!("pitch stiffness {m_w}")
+            } else {
+                format!("pitch stiffness with ẇ terms {m_w}")
+            });
+            if let Some(Margins { static_margin, manoeuvre_margin }) = margins {
+                readings.push(format!("static margin {}", percent(static_margin)));
+                readings.push(format!("manoeuvre margin {}", percent(manoeuvre_margin)));
+            }
+            match verdict {
+                Stability::Stable => "Statically stable",
+                Stability::Neutral => "Statically neutral",
+                Stability::Unstable => "Statically unstable",
+            }
+        }
+        PlaneStiffness::Lateral { n_v, l_v, .. } => {
+            readings.push(format!("weathercock stability {}", stiffness_of(n_v)));
+            readings.push(format!("dihedral effect {}", stiffness_of(l_v)));
+            if !is_plain {
+                readings.push("both with the product of inertia".to_owned());
+            }
+            match (verdict, n_v.verdict == verdict, l_v.verdict == verdict) {
+                (Stability::Stable, _, _) => "Statically stable in yaw and roll",
+                (Stability::Neutral, true, true) => "Statically neutral in yaw and roll",
+                (Stability::Neutral, true, false) => "Statically neutral in yaw",
+                (Stability::Neutral, false, _) => "Statically neutral in roll",
+                (Stability::Unstable, true, true) => "Statically unstable in yaw and roll",
+                (Stability::Unstable, true, false) => "Statically unstable in yaw",
+                (Stability::Unstable, false, _) => "Statically unstable in roll",
+            }
+        }
+    };
+    format!("{heading}: {}", readings.join(", "))
+}
+
+fn percent(share: f64) -> String {
+    format!("{}\u{a0}%", significant(100.0 * share, 3))
+}
+
+/// What static stability means in a plane.
+pub const fn static_meaning(stability: &PlaneStaticStability) -> &'static str {
+    match stability.stiffness {
+        PlaneStiffness::Longitudinal { .. } => {
+            "Which way the first moment points. det A is the product of the four eigenvalues: where it is negative, a real root \
+             grows and the aircraft leaves its trim without swinging. It turns negative where the centre of gravity passes the \
+             neutral point, unless the moment also changes with speed."
+        }
+        PlaneStiffness::Lateral { .. } => {
+            "Which way the first moments of a sideslip point. In yaw the nose must turn into the wind: weathercock stability is \
+             positive. In roll the wings must roll away from it: dihedral effect is negative. Whether a bank dies away is another \
+             question, which the card of the spiral answers."
+        }
+    }
+}
+
+/// The warning that gravity and speed don't belong to one system of units, where they don't.
+pub fn mixed_units(analysis: &Analysis) -> Option<String> {
+    let gravity = analysis.gravity.filter(|gravity| !gravity.is_plausible())?;
+    let ratio = gravity.rate / gravity.expected_rate;
+    let (rate, expected) = (significant(gravity.rate, 2), significant(gravity.expected_rate, 2));
+    let ratio_shown = significant(ratio, 3);
+    Some(if ratio > 1.0 {
+        format!(
+            "Gravity and speed don't belong to one unit system: g/U₀ = {rate} 1/s, where Earth's gravity at this speed gives \
+             {expected} 1/s. Gravity is {ratio_shown} times too strong."
+        )
+    } else {
+        format!(
+            "Gravity and speed don't belong to one unit system: g/U₀ = {rate} 1/s, where Earth's gravity at this speed gives \
+             {expected} 1/s. Gravity is {ratio_shown} of what it is on Earth."
+        )
+    })
+}
