@@ -10,10 +10,10 @@ use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::aircraft::study::{MatrixStudy, Study};
 use eigenwing::flight::modes::approximations::approximations;
 use eigenwing::flight::modes::eigen::eigen;
-use eigenwing::flight::modes::inverse::{Adjustable, place_pole};
+use eigenwing::flight::modes::inverse::{Adjustable, Linearised, place_pole};
 use eigenwing::flight::modes::locus::locus;
 use eigenwing::flight::modes::mode::modes;
-use eigenwing::flight::modes::sensitivity::entry_sensitivity;
+use eigenwing::flight::modes::sensitivity::{entry_rate, sensitivity};
 use eigenwing::flight::motion::aerodynamics::Controls;
 use eigenwing::flight::motion::flight_path::Excitation;
 use eigenwing::flight::motion::inputs::Input;
@@ -114,7 +114,7 @@ fn parts(criterion: &mut Criterion) {
         bench("sensitivities_16_entries", &|| {
             for mode in &found {
                 for k in 0..16 {
-                    let _ = black_box(entry_sensitivity(black_box(mode), k / 4, k % 4));
+                    let _ = black_box(sensitivity(black_box(mode), &entry_rate(k / 4, k % 4)));
                 }
             }
         });
@@ -142,7 +142,7 @@ fn parts(criterion: &mut Criterion) {
             for (e, value) in entries.iter().zip(p) {
                 a[*e] = *value;
             }
-            Some(a)
+            Some(Linearised { a, rates: entries.map(|(i, j)| entry_rate(i, j)).to_vec() })
         };
         let Some(from) = found.first().map(|mode| mode.lambda) else { continue };
         bench("place_pole_5_parameters", &|| {

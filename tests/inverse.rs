@@ -3,9 +3,12 @@
 mod reference;
 
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::flight::modes::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
+use eigenwing::flight::modes::inverse::{
+    Adjustable, InverseError, Linearised, OutOfReach, Placement, place_pole,
+};
 use eigenwing::flight::modes::mode::{Mode, modes_of};
 use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::modes::sensitivity::entry_rate;
 use nalgebra::{Complex, Matrix4};
 use proptest::prelude::*;
 use reference::{all_models, reference};
@@ -14,8 +17,19 @@ type Entry = (usize, usize);
 
 const PITCH: [Entry; 3] = [(1, 1), (2, 1), (2, 2)];
 
+/// A with other numbers in some places, which are the parameters.
+fn with_values(mut a: Matrix4<f64>, entries: &[Entry], values: &[f64]) -> Linearised {
+    for (&entry, value) in entries.iter().zip(values) {
+        a[entry] = *value;
+    }
+    // Of an entry that is named twice the last value holds.
+    let is_held = |k: usize| entries[k + 1..].contains(&entries[k]);
+    let rate = |k: usize| if is_held(k) { Matrix4::zeros() } else { entry_rate(entries[k].0, entries[k].1) };
+    Linearised { a, rates: (0..entries.len()).map(rate).collect() }
+}
+
 /// The Navion with some entries of A as parameters.
-fn navion(entries: &[Entry]) -> (impl Fn(&[f64]) -> Option<Matrix4<f64>>, Vec<Adjustable>) {
+fn navion(entries: &[Entry]) -> (impl Fn(&[f64]) -> Option<Linearised>, Vec<Adjustable>) {
     with_entries(reference("navion_teper_sl").model(Plane::Longitudinal).a, entries, (0.2, 3.0))
 }
 
@@ -24,7 +38,7 @@ fn with_entries(
     a: Matrix4<f64>,
     entries: &[Entry],
     factors: (f64, f64),
-) -> (impl Fn(&[f64]) -> Option<Matrix4<f64>>, Vec<Adjustable>) {
+) -> (impl Fn(&[f64]) -> Option<Linearised>, Vec<Adjustable>) {
     let parameters = entries
         .iter()
         .map(|&entry| {
@@ -34,13 +48,7 @@ fn with_entries(
         })
         .collect();
     let entries = entries.to_vec();
-    let model = move |p: &[f64]| {
-        let mut a = a;
-        for (&entry, value) in entries.iter().zip(p) {
-            a[entry] = *value;
-        }
-        Some(a)
-    };
+    let model = move |p: &[f64]| Some(with_values(a, &entries, p));
     (model, parameters)
 }
 
@@ -72,7 +80,7 @@ fn reachable_targets_are_reached_with_the_least_change() {
         let found = place_pole(&model, &parameters, from, to).expect("an answer");
         assert_within(&found, &parameters);
         assert_eq!(found.out_of_reach, None, "{found:?}");
-        let a = model(&found.values).expect("a model");
+        let a = model(&found.values).expect("a model").a;
         let reached = mode(Plane::Longitudinal, &a, ModeName::ShortPeriod).lambda;
         assert!((reached - to).norm() < 1e-9, "{reached} {to}");
         // Three parameters, two equations: with the first held a little beside the answer and the others solved for anew,
@@ -145,7 +153,7 @@ fn a_grid_finds_nothing_nearer_than_the_nearest() {
         for i in 0..=20 {
             for j in 0..=20 {
                 let at = |p: &Adjustable, k: i32| p.lower + (p.upper - p.lower) * f64::from(k) / 20.0;
-                let a = model(&[at(&parameters[0], i), at(&parameters[1], j)]).expect("a model");
+                let a = model(&[at(&parameters[0], i), at(&parameters[1], j)]).expect("a model").a;
                 let other = mode(Plane::Longitudinal, &a, ModeName::ShortPeriod).lambda;
                 assert!((other - to).norm() > miss - 1e-6, "{to}: {i} {j}");
             }
@@ -162,7 +170,7 @@ fn real_roots_move_along_the_axis_and_do_not_leave_it() {
     let found = place_pole(&model, &parameters, spiral, to).expect("an answer");
     assert_within(&found, &parameters);
     assert_eq!(found.out_of_reach, None, "{found:?}");
-    let reached = mode(Plane::Lateral, &model(&found.values).expect("a model"), ModeName::Spiral).lambda;
+    let reached = mode(Plane::Lateral, &model(&found.values).expect("a model").a, ModeName::Spiral).lambda;
     assert!((reached - to).norm() < 1e-9);
     let off = place_pole(&model, &parameters, spiral, Complex::new(-0.01, 0.5)).expect("an answer");
     assert_eq!(off.out_of_reach, Some(OutOfReach::OffTheAxis));
@@ -225,13 +233,8 @@ proptest! {
             let value = a[(i, j)];
             Adjustable { value, lower: value - below, upper: value + above, scale }
         }).collect();
-        let model = |p: &[f64]| {
-            let mut a = a;
-            for (entry, value) in entries.iter().zip(p) {
-                a[(entry.0, entry.1)] = *value;
-            }
-            (a[(0, 0)].abs() < hole).then_some(a)
-        };
+        let places: Vec<Entry> = entries.iter().map(|entry| (entry.0, entry.1)).collect();
+        let model = |p: &[f64]| Some(with_values(a, &places, p)).filter(|found| found.a[(0, 0)].abs() < hole);
         let (from, to) = (Complex::new(from.0, from.1), Complex::new(to.0, to.1));
         match place_pole(model, &parameters, from, to) {
             Ok(found) => {
@@ -246,7 +249,7 @@ proptest! {
                 let here = Complex::new(from.re, from.im.abs());
                 let pole = values.iter().filter(|v| v.im >= 0.0).min_by(|x, y| (**x - here).norm().total_cmp(&(**y - here).norm())).expect("a pole");
                 prop_assert!((found.lambda - upper).norm() <= (pole - upper).norm() * (1.0 + 1e-9) + 1e-9);
-                }
+            }
             Err(error) => prop_assert_eq!(error, InverseError::NoModel),
         }
     }

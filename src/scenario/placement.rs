@@ -6,7 +6,9 @@ use thiserror::Error;
 use super::parameters::{Page, Parameter};
 use super::{RowSensitivity, Scenario};
 use crate::flight::modes::eigen::eigenvalues;
-use crate::flight::modes::inverse::{Adjustable, InverseError, OutOfReach, Placement, place_pole};
+use crate::flight::modes::inverse::{
+    Adjustable, InverseError, Linearised, OutOfReach, Placement, place_pole,
+};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::sensitivity::sensitivity;
@@ -126,8 +128,15 @@ impl Scenario {
         };
         let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
         let with = |values: &[f64]| self.with_values(&chosen, &adjustables, values);
-        let model = &|values: &[f64]| Some(with(values).edited.models().ok()?.planes[self.plane].as_ref()?.a);
-        let (placement, lost) = placed_by_the_same_pole(model, &adjustables, mode.lambda, wanted)?;
+        let matrix = |scenario: &Self| Some(scenario.edited.models().ok()?.planes[self.plane].as_ref()?.a);
+        let model = &|values: &[f64]| matrix(&with(values));
+        let linearised = &|values: &[f64]| {
+            let moved = with(values);
+            let rate = |p: &&'static Parameter| moved.matrix_rate(p).unwrap_or_else(Matrix4::zeros);
+            Some(Linearised { a: matrix(&moved)?, rates: chosen.iter().map(rate).collect() })
+        };
+        let place = |to: Complex<f64>| place_pole(linearised, &adjustables, mode.lambda, to);
+        let (placement, lost) = placed_by_the_same_pole(place, model, &adjustables, mode.lambda, wanted)?;
         let scenario = with(&placement.values);
         let obstacle = placement
             .out_of_reach
@@ -191,12 +200,12 @@ impl Scenario {
 /// The placement, if it is the pole at `from` that has come there. Where that pole would have to part or meet another on the way,
 /// and it is another one that the search has found, the farthest place towards `wanted` that it does come to, and true.
 fn placed_by_the_same_pole(
+    place: impl Fn(Complex<f64>) -> Result<Placement, InverseError>,
     model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
     adjustables: &[Adjustable],
     from: Complex<f64>,
     wanted: Complex<f64>,
 ) -> Result<(Placement, bool), InverseError> {
-    let place = |to: Complex<f64>| place_pole(model, adjustables, from, to);
     let followed = |placement: &Placement| {
         let end = follow(model, adjustables, &placement.values, from);
         end.is_some_and(|end| (end - placement.lambda).norm() <= 1e-6 * placement.lambda.norm())

@@ -2,8 +2,8 @@
 //!
 //! Two equations, λ(p) = λ*, and as many unknowns as there are parameters. First the pole is brought to the target, or as near
 //! as it goes, by Levenberg–Marquardt steps within the bounds; then the parameters slide along λ(p) = λ* to the least change,
-//! Σ((p − p₀)/s)² (Nocedal & Wright, *Numerical Optimization*, 2nd ed., §§10.3, 16.5, 18). The derivatives of λ are exact in
-//! A. Both searches go downhill from where the aircraft is: a better place beyond a hill is not found.
+//! Σ((p − p₀)/s)² (Nocedal & Wright, *Numerical Optimization*, 2nd ed., §§10.3, 16.5, 18). The derivatives of λ are
+//! exact. Both searches go downhill from where the aircraft is: a better place beyond a hill is not found.
 
 use nalgebra::{Complex, Matrix4, Vector2, Vector4};
 
@@ -16,8 +16,6 @@ const REACHED: f64 = 1e-11;
 const MOST_STEPS: usize = 80;
 /// Bound on the steps along λ(p) = λ* towards the least change.
 const MOST_SLIDES: usize = 30;
-/// Step of the differences that give ∂A/∂p, in scales of the parameter.
-const DIFFERENCE: f64 = 1e-5;
 
 /// A parameter that may be changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +28,15 @@ pub struct Adjustable {
     pub upper: f64,
     /// The change that counts as one, positive: what is as hard to change as one scale of any other.
     pub scale: f64,
+}
+
+/// The model at values of the parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Linearised {
+    /// A.
+    pub a: Matrix4<f64>,
+    /// ∂A/∂p, one a parameter; zero where there is none.
+    pub rates: Vec<Matrix4<f64>>,
 }
 
 /// In which direction a target is out of reach.
@@ -96,10 +103,10 @@ struct Search<'a, F> {
 
 /// The least change of `parameters` that brings the pole now nearest to `from` to `to`, or as near as it goes.
 ///
-/// `model` gives A for values of the parameters, `None` where there is no such aircraft. Conjugates count as one pole: both
+/// `model` gives A and its derivatives for values of the parameters, `None` where there is no such aircraft. Conjugates count as one pole: both
 /// `from` and `to` are taken in the upper half plane. The number of evaluations is bounded, some hundreds in practice.
 pub fn place_pole(
-    model: impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    model: impl Fn(&[f64]) -> Option<Linearised>,
     parameters: &[Adjustable],
     from: Complex<f64>,
     to: Complex<f64>,
@@ -127,7 +134,7 @@ pub fn place_pole(
     };
     // The pole nearest to `from`, whichever kind it is.
     let start = vec![0.0; parameters.len()];
-    let solved = search.solve(&start).ok_or(InverseError::NoModel)?;
+    let (solved, _) = search.solve(&start).ok_or(InverseError::NoModel)?;
     let nearest = (0..4)
         .filter(|&i| solved.values[i].im >= 0.0)
         .min_by(|&i, &j| (solved.values[i] - from).norm().total_cmp(&(solved.values[j] - from).norm()))
@@ -163,26 +170,23 @@ pub fn place_pole(
     })
 }
 
-impl<F: Fn(&[f64]) -> Option<Matrix4<f64>>> Search<'_, F> {
+impl<F: Fn(&[f64]) -> Option<Linearised>> Search<'_, F> {
     /// p = p₀ + s y, within the bounds to the last bit.
     fn values(&self, y: &[f64]) -> Vec<f64> {
         let value = |(p, y): (&Adjustable, &f64)| (p.value + p.scale * y).clamp(p.lower, p.upper);
         self.parameters.iter().zip(y).map(value).collect()
     }
 
-    fn matrix(&mut self, y: &[f64]) -> Option<Matrix4<f64>> {
+    /// The eigenvalues at `y`, and ∂A/∂p there.
+    fn solve(&mut self, y: &[f64]) -> Option<(Eigen, Vec<Matrix4<f64>>)> {
         self.evaluations += 1;
-        (self.model)(&self.values(y)).filter(|a| a.iter().all(|x| x.is_finite()))
-    }
-
-    fn solve(&mut self, y: &[f64]) -> Option<Eigen> {
-        let a = self.matrix(y)?;
-        eigen(&a).ok()
+        let Linearised { a, rates } = (self.model)(&self.values(y))?;
+        Some((eigen(&a).ok()?, rates))
     }
 
     /// The place at `y`, its pole being the one of the same kind nearest to `expected`.
     fn place(&mut self, y: Vec<f64>, expected: Complex<f64>) -> Option<Place> {
-        let solved = self.solve(&y)?;
+        let (solved, a_rates) = self.solve(&y)?;
         let distance = |i: usize| (solved.values[i] - expected).norm();
         let kind = |i: &usize| {
             let im = solved.values[*i].im;
@@ -197,37 +201,14 @@ impl<F: Fn(&[f64]) -> Option<Matrix4<f64>>> Search<'_, F> {
         let v = Vector4::from(solved.right.column(i));
         let l = Vector4::from(solved.left.column(i));
         let product = l.dotc(&v);
-        let rates = (0..y.len())
-            .map(|k| {
-                // dλ/dyₖ = lᴴ (∂A/∂yₖ) v / (lᴴ v)
-                let rate = self
-                    .matrix_rate(&y, k)
-                    .map_or(Complex::from(0.0), |da| l.dotc(&(da.map(Complex::from) * v)) / product);
-                let rate = Vector2::new(rate.re, if self.real { 0.0 } else { rate.im });
-                if rate.norm() < 1e150 { rate } else { Vector2::zeros() }
-            })
-            .collect();
-        Some(Place { y, lambda, rates, gap })
-    }
-
-    /// ∂A/∂yₖ by a difference that stays within the bounds; `None` where it can't be had.
-    fn matrix_rate(&mut self, y: &[f64], k: usize) -> Option<Matrix4<f64>> {
-        let (lower, upper) = self.bounds.of(k);
-        let at = |search: &mut Self, yk: f64| {
-            let mut moved = y.to_vec();
-            moved[k] = yk;
-            search.matrix(&moved)
+        let rate = |(parameter, a_rate): (&Adjustable, &Matrix4<f64>)| {
+            // dλ/dy = s lᴴ (∂A/∂p) v / (lᴴ v)
+            let rate = l.dotc(&(a_rate.map(Complex::from) * v)) / product * parameter.scale;
+            let rate = Vector2::new(rate.re, if self.real { 0.0 } else { rate.im });
+            if rate.norm() < 1e150 { rate } else { Vector2::zeros() }
         };
-        let (low, high) = ((y[k] - DIFFERENCE).max(lower), (y[k] + DIFFERENCE).min(upper));
-        if let (Some(below), Some(above)) = (at(self, low), at(self, high)) {
-            return (high > low).then(|| (above - below) / (high - low));
-        }
-        // At the edge of what is possible: the side that is.
-        let here = at(self, y[k])?;
-        if let Some(above) = at(self, high).filter(|_| high > y[k]) {
-            return Some((above - here) / (high - y[k]));
-        }
-        at(self, low).filter(|_| low < y[k]).map(|below| (here - below) / (y[k] - low))
+        let rates = self.parameters.iter().zip(&a_rates).map(rate).collect();
+        Some(Place { y, lambda, rates, gap })
     }
 
     fn miss(&self, place: &Place) -> f64 {
