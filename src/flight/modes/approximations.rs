@@ -8,6 +8,7 @@ use nalgebra::{Complex, Matrix4};
 
 use super::mode::Mode;
 use super::mode_name::ModeName;
+use super::quartic::polynomial;
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
 use crate::flight::aircraft::axes::to_stability_axes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
@@ -262,19 +263,4 @@ fn residualised(a: &Matrix4<f64>) -> Option<SecondOrder> {
 fn quartic(a: &Matrix4<f64>) -> Option<SecondOrder> {
     let [b, c, d, e] = polynomial(a);
     SecondOrder::of(d / c - b * e / (c * c), e / c)
-}
-
-/// B, C, D, E of the characteristic polynomial λ⁴ + Bλ³ + Cλ² + Dλ + E (Faddeev & LeVerrier).
-pub(super) fn polynomial(a: &Matrix4<f64>) -> [f64; 4] {
-    let mut coefficients = [0.0; 4];
-    // M₁ = I, cₖ = −tr(A Mₖ)/k, Mₖ₊₁ = A Mₖ + cₖ I
-    let mut m = Matrix4::identity();
-    for (k, coefficient) in coefficients.iter_mut().enumerate() {
-        let am = a * m;
-        *coefficient = -am.trace() / (k + 1) as f64;
-        m = am + Matrix4::identity() * *coefficient;
-    }
-    // E by elimination: the recursion cancels where the modes are far apart.
-    coefficients[3] = a.determinant();
-    coefficients
 }

@@ -1,13 +1,16 @@
 //! Root locus: the path of all four poles as one parameter goes through its range.
 //!
-//! Samples are set where the poles move most, and branches are followed by matching each set of poles to the next as
+//! Poles are followed from sample to sample, and solved for anew where two meet. Samples are set where the poles move most, and branches are followed by matching each set of poles to the next as
 //! a whole, so that a branch goes through a meeting of two poles without a jump.
+
+use std::collections::BinaryHeap;
 
 use nalgebra::{Complex, Matrix4};
 
 use super::eigen::eigenvalues;
 use super::mode::modes_of;
 use super::mode_name::ModeName;
+use super::quartic::roots_near;
 use crate::flight::aircraft::plane::Plane;
 
 /// The most evaluations of the model that one locus may take.
@@ -67,8 +70,10 @@ pub fn locus(
     if !(range.0.is_finite() && range.1.is_finite() && width.is_finite()) {
         return locus;
     }
-    let mut samples: Vec<Sample> = Vec::with_capacity(most);
-    let evaluate = |parameter: f64| Sample { parameter, poles: model(parameter).and_then(|a| poles_of(&a)) };
+    let evaluate = |parameter: f64, neighbour: Option<&Sample>| {
+        let near = neighbour.and_then(|sample| sample.poles);
+        Sample { parameter, poles: model(parameter).and_then(|a| poles_near(&a, near)) }
+    };
     let last = (FIRST_EVALUATIONS - 1) as f64;
     let mut first: Vec<f64> = (0..FIRST_EVALUATIONS).map(|k| low + width * (k as f64 / last)).collect();
     if (low..=high).contains(&reference) {
@@ -76,29 +81,34 @@ pub fn locus(
     }
     first.sort_by(f64::total_cmp);
     first.dedup();
-    samples.extend(first.into_iter().map(evaluate));
+    let mut samples: Vec<Sample> = Vec::with_capacity(most);
+    for parameter in first {
+        samples.push(evaluate(parameter, samples.last()));
+    }
 
     // Halve the interval with the largest step until all are fine or the bound is reached.
-    let radius = samples.iter().filter_map(|s| s.poles).flatten().map(|pole| pole.norm()).fold(0.0, f64::max);
-    let coarseness = |a: &Sample, b: &Sample| -> f64 {
-        if b.parameter - a.parameter <= CLOSEST * width {
-            return 0.0;
-        }
-        coarseness(a, b, radius)
+    let radius = samples.iter().filter_map(|s| s.poles).flatten().map(size).fold(0.0, f64::max);
+    let interval = |samples: &[Sample], low: usize, high: usize| {
+        let (a, b) = (&samples[low], &samples[high]);
+        let is_closest = b.parameter - a.parameter <= CLOSEST * width;
+        let step = if is_closest { 0.0 } else { coarseness(a, b, radius) };
+        // Numbers that are not negative have the order of their bits.
+        (step.to_bits(), low, high)
     };
-    let mut steps: Vec<f64> = samples.windows(2).map(|pair| coarseness(&pair[0], &pair[1])).collect();
-    while samples.len() < most {
-        let Some((k, step)) = steps.iter().copied().enumerate().max_by(|x, y| x.1.total_cmp(&y.1)) else {
-            break;
-        };
-        let middle = 0.5 * samples[k].parameter + 0.5 * samples[k + 1].parameter;
-        if step <= FINE_STEP || middle <= samples[k].parameter || middle >= samples[k + 1].parameter {
+    let mut intervals: BinaryHeap<(u64, usize, usize)> =
+        (1..samples.len()).map(|k| interval(&samples, k - 1, k)).collect();
+    while let Some((step, low, high)) = intervals.pop() {
+        let middle = 0.5 * samples[low].parameter + 0.5 * samples[high].parameter;
+        let is_between = samples[low].parameter < middle && middle < samples[high].parameter;
+        if samples.len() >= most || f64::from_bits(step) <= FINE_STEP || !is_between {
             break;
         }
-        samples.insert(k + 1, evaluate(middle));
-        steps[k] = coarseness(&samples[k], &samples[k + 1]);
-        steps.insert(k + 1, coarseness(&samples[k + 1], &samples[k + 2]));
+        let new = samples.len();
+        samples.push(evaluate(middle, samples.get(low)));
+        intervals.push(interval(&samples, low, new));
+        intervals.push(interval(&samples, new, high));
     }
+    samples.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
 
     follow(&mut samples);
     locus.evaluations = samples.len();
@@ -120,8 +130,14 @@ pub fn locus(
     locus
 }
 
-fn poles_of(a: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
-    eigenvalues(a).ok()
+/// The poles of a model that is not far from one with poles `near`, or from nothing; the solver's where following them fails.
+fn poles_near(a: &Matrix4<f64>, near: Option<[Complex<f64>; 4]>) -> Option<[Complex<f64>; 4]> {
+    near.and_then(|near| roots_near(a, &near)).or_else(|| eigenvalues(a).ok())
+}
+
+/// |z| without a care for overflow, several times as fast as `norm`: poles beyond 10¹⁵⁰ are matched in the order they have.
+fn size(z: Complex<f64>) -> f64 {
+    z.norm_sqr().sqrt()
 }
 
 fn pairs(poles: &[Complex<f64>; 4]) -> usize {
@@ -141,7 +157,7 @@ fn coarseness(a: &Sample, b: &Sample, radius: f64) -> f64 {
             let step = |i: usize| {
                 let (x, y) = (from[i], to[order[i]]);
                 // 2|λ − λ'|/(|λ| + |λ'|), and no finer near zero than a 500th of the picture
-                (y - x).norm() / (0.5 * (x.norm() + y.norm())).max(NEAR_ZERO * radius).max(f64::MIN_POSITIVE)
+                size(y - x) / (0.5 * (size(x) + size(y))).max(NEAR_ZERO * radius).max(f64::MIN_POSITIVE)
             };
             let step = (0..4).map(step).fold(0.0, f64::max);
             if pairs(&from) == pairs(&to) { step } else { step.max(2.0 * FINE_STEP) }
@@ -168,7 +184,7 @@ fn follow(samples: &mut [Sample]) {
 ///
 /// All 24 orders are tried. Among equals (a pair parting into two real roots) the first wins.
 fn matched(from: &[Complex<f64>; 4], to: &[Complex<f64>; 4]) -> [usize; 4] {
-    let distance: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| (to[j] - from[i]).norm()));
+    let distance: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| size(to[j] - from[i])));
     let (mut best, mut least) = ([0, 1, 2, 3], f64::INFINITY);
     for a in 0..4 {
         for b in (0..4).filter(|&b| b != a) {
