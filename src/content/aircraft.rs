@@ -1,9 +1,9 @@
 //! One aircraft in one flight condition, as its file has it.
 
-pub use super::published::{Comparison, Published, PublishedMode, Quantity, compare};
+pub use super::published::{Published, PublishedMode, Quantity};
 pub use super::reader::ContentError;
 use crate::flight::aircraft::plane::ByPlane;
-use crate::flight::aircraft::study::Study;
+use crate::flight::aircraft::study::{DerivativeStudy, Models, Study};
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
 /// An aircraft in one flight condition.
@@ -27,6 +27,8 @@ pub struct Aircraft {
     pub source: String,
     /// Everything a person may edit, at the source's values.
     pub study: Study,
+    /// What follows from `study`.
+    pub baseline: Baseline,
     /// What is known of the data of each plane, where there are any.
     pub plane_notes: ByPlane<Option<PlaneNotes>>,
     /// Mass and geometry as far as the source has them, SI, for drawing and reading; the study computes with its own.
@@ -37,6 +39,25 @@ pub struct Aircraft {
     pub phase: Option<Category>,
     /// What a reader of the source should know.
     pub notes: Vec<String>,
+}
+
+/// Derivatives and models of an aircraft before any edit, found once: the ranges of its sliders are drawn from them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Baseline {
+    /// Dimensional derivatives; `None` where the source has bare matrices.
+    pub derivatives: Option<DerivativeStudy>,
+    /// The linear models.
+    pub models: Models,
+}
+
+impl Baseline {
+    /// That of a study; empty where there is no such steady flight.
+    pub fn new(study: &Study) -> Self {
+        Self {
+            derivatives: study.to_derivatives().ok().flatten(),
+            models: study.models().unwrap_or_default(),
+        }
+    }
 }
 
 /// What a file says of one plane of motion.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
-use super::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
+use super::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
 use super::airframe_file::{coefficient_study, derivative_study};
 use super::published::read_published;
 use super::reader::{Block, ContentError};
@@ -72,6 +72,7 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         status: if verified { Status::Verified } else { Status::Unverified },
         status_reason: joined(plane_notes.iter().flatten().map(|plane| plane.status_reason.as_str())),
         source,
+        baseline: Baseline::new(&study),
         study,
         plane_notes,
         particulars,
@@ -139,7 +140,8 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let trim = Trim { speed: u0 * l, alpha0: 0.0, gamma0: 0.0, gravity: STANDARD_GRAVITY };
     let model = PlaneModel { plane: Plane::Longitudinal, a, b, trim };
     let study = Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None });
-    if let Some(problem) = study.models().ok().and_then(|models| models.problems.first().copied()) {
+    let baseline = Baseline::new(&study);
+    if let Some(problem) = baseline.models.problems.first() {
         return Err(block.error("a", problem));
     }
     Ok(Aircraft {
@@ -161,6 +163,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         status_reason,
         source,
         study,
+        baseline,
         particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },
         class: None,
         phase: None,

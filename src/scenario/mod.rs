@@ -14,7 +14,7 @@ mod window;
 use std::sync::Arc;
 
 use crate::content::Aircraft;
-use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::edits::{Edited, Offsets};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::verdicts::task::Task;
 use crate::flight::{Analysis, AnalysisError, analyse};
@@ -80,7 +80,7 @@ impl Scenario {
 
     /// Whether anything of the aircraft differs from the reference.
     pub fn is_edited(&self) -> bool {
-        self.edited != Edited::new(self.aircraft.study.clone())
+        self.edited.study != self.aircraft.study || self.edited.offsets != Offsets::default()
     }
 
     /// The task for which handling qualities are judged, where the aircraft's file names one.

@@ -4,7 +4,7 @@ use crate::content::shapes::USUAL_SHAPE;
 use nalgebra::{Matrix4, Matrix4x2};
 
 use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
-use crate::content::aircraft::{Aircraft, LengthUnit, Particulars, PlaneNotes, Status};
+use crate::content::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
 use crate::content::units::UnitSystem;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::aircraft::study::{MatrixStudy, Study};
@@ -342,6 +342,7 @@ fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> A
         length_unit: LengthUnit::Metre,
         status: Status::Unverified,
         source: file.to_owned(),
+        baseline: Baseline::new(&study),
         study,
         plane_notes,
         status_reason,

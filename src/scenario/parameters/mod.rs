@@ -14,12 +14,13 @@ use std::ops::RangeInclusive;
 use thiserror::Error;
 
 use super::{Dimension, Scenario, Sizes};
+use crate::content::Aircraft;
 use crate::flight::aircraft::coefficients::{Coefficients, LateralCoefficients, LongitudinalCoefficients};
 use crate::flight::aircraft::condition::FlightCondition;
 use crate::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use crate::flight::aircraft::knobs::Knobs;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::study::Study;
+use crate::flight::aircraft::study::{DerivativeStudy, Models, Study};
 use crate::number::trimmed;
 
 /// A page of sliders.
@@ -261,7 +262,13 @@ impl Parameter {
         let moved = match self.place {
             Place::LongitudinalCoefficient(of) => read(of, &coefficients.longitudinal),
             Place::LateralCoefficient(of) => read(of, coefficients.lateral.as_ref()?),
-            _ => return None,
+            Place::Knob(_)
+            | Place::Condition(_)
+            | Place::LongitudinalDerivative(_)
+            | Place::LateralDerivative(_)
+            | Place::A(..)
+            | Place::B(..)
+            | Place::Disturbance(_) => return None,
         };
         let own = self.value(scenario)?;
         ((moved - own).abs() > 1e-9 * own.abs().max(moved.abs())).then_some(moved)
@@ -270,7 +277,25 @@ impl Parameter {
     /// Its value \[SI\], if the aircraft has it.
     fn value(&self, scenario: &Scenario) -> Option<f64> {
         let edited = &scenario.edited;
-        let of_coefficients = match &edited.study {
+        let derivatives = || edited.derivatives().ok()?;
+        self.value_among(&edited.study, derivatives, || edited.models().ok(), &scenario.disturbance.sizes)
+    }
+
+    /// Its value \[SI\] before anything is edited or chosen; zero where the aircraft has none.
+    fn baseline(&self, scenario: &Scenario) -> f64 {
+        let Aircraft { study, baseline, .. } = &*scenario.aircraft;
+        let (derivatives, models) = (|| baseline.derivatives.clone(), || Some(baseline.models.clone()));
+        self.value_among(study, derivatives, models, &Sizes::default()).unwrap_or(0.0)
+    }
+
+    fn value_among(
+        &self,
+        study: &Study,
+        derivatives: impl FnOnce() -> Option<DerivativeStudy>,
+        models: impl FnOnce() -> Option<Models>,
+        sizes: &Sizes,
+    ) -> Option<f64> {
+        let of_coefficients = match study {
             Study::Coefficients(study) => Some(study),
             Study::Derivatives(_) | Study::Matrices(_) => None,
         };
@@ -281,18 +306,11 @@ impl Parameter {
             Place::LateralCoefficient(of) => Some(read(of, of_coefficients?.coefficients.lateral.as_ref()?)),
             Place::Knob(of) => of_coefficients.map(|study| read(of, &study.knobs)),
             Place::Condition(of) => of_coefficients.map(|study| read(of, &study.condition)),
-            Place::LongitudinalDerivative(of) => {
-                Some(read(of, edited.derivatives().ok()??.longitudinal.as_ref()?))
-            }
-            Place::LateralDerivative(of) => Some(read(of, edited.derivatives().ok()??.lateral.as_ref()?)),
-            Place::A(plane, row, column, sign) => {
-                let models = edited.models().ok()?;
-                Some(sign * models.planes[plane].as_ref()?.a[(row, column)])
-            }
-            Place::B(plane, row, column) => {
-                Some(edited.models().ok()?.planes[plane].as_ref()?.b[(row, column)])
-            }
-            Place::Disturbance(of) => Some(read(of, &scenario.disturbance.sizes)),
+            Place::LongitudinalDerivative(of) => Some(read(of, derivatives()?.longitudinal.as_ref()?)),
+            Place::LateralDerivative(of) => Some(read(of, derivatives()?.lateral.as_ref()?)),
+            Place::A(plane, row, column, sign) => Some(sign * models()?.planes[plane].as_ref()?.a[(row, column)]),
+            Place::B(plane, row, column) => Some(models()?.planes[plane].as_ref()?.b[(row, column)]),
+            Place::Disturbance(of) => Some(read(of, sizes)),
         }
     }
 
@@ -307,33 +325,30 @@ impl Parameter {
 
     /// The same where the value before is known.
     pub(super) fn shift(&self, scenario: &mut Scenario, before: f64, value: f64) {
-        let change = value - before;
-        let edited = &mut scenario.edited;
-        match (self.place, &mut edited.study) {
-            (Place::LongitudinalCoefficient(of), Study::Coefficients(study)) => {
-                *of(&mut study.coefficients.longitudinal) = value;
+        if let Some((offset, sign)) = self.offset(&mut scenario.edited.offsets) {
+            *offset += sign * (value - before);
+        } else if let Some(own) = self.own(scenario) {
+            *own = value;
+            // A time that is set stays as it is set.
+            scenario.disturbance.follows &= self.key != "time";
+        }
+    }
+
+    /// The number itself, where it follows from nothing and the aircraft has it.
+    fn own<'a>(&self, scenario: &'a mut Scenario) -> Option<&'a mut f64> {
+        let of_coefficients = match &mut scenario.edited.study {
+            Study::Coefficients(study) => Some(study),
+            Study::Derivatives(_) | Study::Matrices(_) => None,
+        };
+        match self.place {
+            Place::LongitudinalCoefficient(of) => Some(of(&mut of_coefficients?.coefficients.longitudinal)),
+            Place::LateralCoefficient(of) => Some(of(of_coefficients?.coefficients.lateral.as_mut()?)),
+            Place::Knob(of) => Some(of(&mut of_coefficients?.knobs)),
+            Place::Condition(of) => Some(of(&mut of_coefficients?.condition)),
+            Place::Disturbance(of) => Some(of(&mut scenario.disturbance.sizes)),
+            Place::LongitudinalDerivative(_) | Place::LateralDerivative(_) | Place::A(..) | Place::B(..) => {
+                None
             }
-            (Place::LateralCoefficient(of), Study::Coefficients(study)) => {
-                if let Some(lateral) = &mut study.coefficients.lateral {
-                    *of(lateral) = value;
-                }
-            }
-            (Place::Knob(of), Study::Coefficients(study)) => *of(&mut study.knobs) = value,
-            (Place::Condition(of), Study::Coefficients(study)) => *of(&mut study.condition) = value,
-            (Place::LongitudinalDerivative(of), _) => *of(&mut edited.offsets.longitudinal) += change,
-            (Place::LateralDerivative(of), _) => *of(&mut edited.offsets.lateral) += change,
-            (Place::A(plane, row, column, sign), _) => {
-                edited.offsets.matrices[plane].a[(row, column)] += sign * change;
-            }
-            (Place::B(plane, row, column), _) => {
-                edited.offsets.matrices[plane].b[(row, column)] += change;
-            }
-            (Place::Disturbance(of), _) => {
-                *of(&mut scenario.disturbance.sizes) = value;
-                // A time that is set stays as it is set.
-                scenario.disturbance.follows &= self.key != "time";
-            }
-            _ => {}
         }
     }
 
@@ -342,8 +357,7 @@ impl Parameter {
         if self.added(scenario).is_some() {
             self.set_added(scenario, 0.0);
         } else {
-            let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
-            self.set(scenario, reference);
+            self.set(scenario, self.baseline(scenario));
             // The time shown follows the motion until somebody sets it.
             scenario.disturbance.follows |= self.key == "time";
         }
@@ -353,7 +367,7 @@ impl Parameter {
     pub fn reference(&self, scenario: &Scenario) -> f64 {
         match self.added(scenario) {
             Some(offset) => self.get(scenario) - offset,
-            None => self.get(&Scenario::new(scenario.aircraft.clone())),
+            None => self.baseline(scenario),
         }
     }
 
@@ -361,7 +375,7 @@ impl Parameter {
     pub fn is_edited(&self, scenario: &Scenario) -> bool {
         match self.added(scenario) {
             Some(offset) => offset != 0.0,
-            None => self.get(scenario) != self.get(&Scenario::new(scenario.aircraft.clone())),
+            None => self.get(scenario) != self.baseline(scenario),
         }
     }
 
@@ -369,7 +383,7 @@ impl Parameter {
     ///
     /// It belongs to the aircraft's file, not to what has been edited: a slider doesn't move under the hand.
     pub fn range(&self, scenario: &Scenario) -> RangeInclusive<f64> {
-        let reference = self.get(&Scenario::new(scenario.aircraft.clone()));
+        let reference = self.baseline(scenario);
         match self.extent {
             Extent::Relative { low, high, floor } => {
                 let speed = scenario.aircraft.speed();

@@ -12,65 +12,72 @@ use crate::flight::modes::sensitivity::entry_rate;
 impl Parameter {
     /// ∂A/∂p of a plane; zero of a parameter that doesn't enter it.
     pub(in crate::scenario) fn matrix_rate(&self, edited: &Edited, plane: Plane) -> Option<Matrix4<f64>> {
-        let derivatives = match self.place {
-            Place::LongitudinalCoefficient(_)
-            | Place::LateralCoefficient(_)
-            | Place::Knob(_)
-            | Place::Condition(_) => {
-                let Study::Coefficients(study) = &edited.study else { return None };
-                edited.offsets.on(self.among_coefficients(study)?.derive().ok()?.derivatives)
-            }
-            Place::LongitudinalDerivative(_) | Place::LateralDerivative(_) => {
-                self.among_derivatives(&edited.derivatives().ok()??)?
-            }
+        let rate = match self.place {
+            Place::LongitudinalCoefficient(of) => of_coefficients(edited, plane, |given, seeded| {
+                seeded.coefficients.longitudinal = with_parameter(&given.coefficients.longitudinal, of);
+                Some(())
+            }),
+            Place::LateralCoefficient(of) => of_coefficients(edited, plane, |given, seeded| {
+                let lateral = given.coefficients.lateral.as_ref()?;
+                seeded.coefficients.lateral = Some(with_parameter(lateral, of));
+                Some(())
+            }),
+            Place::Knob(of) => of_coefficients(edited, plane, |given, seeded| {
+                seeded.knobs = with_parameter(&given.knobs, of);
+                Some(())
+            }),
+            Place::Condition(of) => of_coefficients(edited, plane, |given, seeded| {
+                seeded.condition = with_parameter(&given.condition, of);
+                Some(())
+            }),
+            Place::LongitudinalDerivative(of) => of_derivatives(edited, plane, |given, seeded| {
+                seeded.longitudinal = Some(with_parameter(given.longitudinal.as_ref()?, of));
+                Some(())
+            }),
+            Place::LateralDerivative(of) => of_derivatives(edited, plane, |given, seeded| {
+                seeded.lateral = Some(with_parameter(given.lateral.as_ref()?, of));
+                Some(())
+            }),
             Place::A(of, row, column, sign) => {
                 let models = edited.models().ok()?;
                 models.planes[of].as_ref().and(models.planes[plane].as_ref())?;
                 // p = ±a, so a = ±p
-                let rate = if of == plane { sign } else { 0.0 };
-                return Some(entry_rate(row, column) * rate);
+                Some(entry_rate(row, column) * if of == plane { sign } else { 0.0 })
             }
             Place::B(of, ..) => {
                 let models = edited.models().ok()?;
-                return models.planes[of]
-                    .as_ref()
-                    .and(models.planes[plane].as_ref())
-                    .map(|_| Matrix4::zeros());
+                models.planes[of].as_ref().and(models.planes[plane].as_ref()).map(|_| Matrix4::zeros())
             }
-            Place::Disturbance(_) => {
-                return edited.models().ok()?.planes[plane].as_ref().map(|_| Matrix4::zeros());
-            }
+            Place::Disturbance(_) => edited.models().ok()?.planes[plane].as_ref().map(|_| Matrix4::zeros()),
         };
-        let rate = derivatives.models().planes[plane].as_ref()?.a.map(|x| x.eps);
-        rate.iter().all(|x| x.is_finite()).then_some(rate)
+        rate.filter(|rate| rate.iter().all(|x| x.is_finite()))
     }
+}
 
-    /// The study with this coefficient, knob or flight condition as the parameter.
-    fn among_coefficients(&self, study: &CoefficientStudy) -> Option<CoefficientStudy<Dual64>> {
-        let mut dual = study.at_rest();
-        let (given, c) = (&study.coefficients, &mut dual.coefficients);
-        match self.place {
-            Place::LongitudinalCoefficient(of) => c.longitudinal = with_parameter(&given.longitudinal, of),
-            Place::LateralCoefficient(of) => c.lateral = Some(with_parameter(given.lateral.as_ref()?, of)),
-            Place::Knob(of) => dual.knobs = with_parameter(&study.knobs, of),
-            Place::Condition(of) => dual.condition = with_parameter(&study.condition, of),
-            _ => return None,
-        }
-        Some(dual)
-    }
+/// ∂A/∂p through the whole chain; `seed` makes one number of the study the parameter.
+fn of_coefficients(
+    edited: &Edited,
+    plane: Plane,
+    seed: impl FnOnce(&CoefficientStudy, &mut CoefficientStudy<Dual64>) -> Option<()>,
+) -> Option<Matrix4<f64>> {
+    let Study::Coefficients(given) = &edited.study else { return None };
+    let mut seeded = given.at_rest();
+    seed(given, &mut seeded)?;
+    of_models(&edited.offsets.on(seeded.derive().ok()?.derivatives), plane)
+}
 
-    /// The study with this derivative as the parameter.
-    fn among_derivatives(&self, study: &DerivativeStudy) -> Option<DerivativeStudy<Dual64>> {
-        let mut dual = study.at_rest();
-        match self.place {
-            Place::LongitudinalDerivative(of) => {
-                dual.longitudinal = Some(with_parameter(study.longitudinal.as_ref()?, of));
-            }
-            Place::LateralDerivative(of) => {
-                dual.lateral = Some(with_parameter(study.lateral.as_ref()?, of));
-            }
-            _ => return None,
-        }
-        Some(dual)
-    }
+/// ∂A/∂p from the derivatives on; `seed` makes one of them the parameter.
+fn of_derivatives(
+    edited: &Edited,
+    plane: Plane,
+    seed: impl FnOnce(&DerivativeStudy, &mut DerivativeStudy<Dual64>) -> Option<()>,
+) -> Option<Matrix4<f64>> {
+    let given = edited.derivatives().ok()??;
+    let mut seeded = given.at_rest();
+    seed(&given, &mut seeded)?;
+    of_models(&seeded, plane)
+}
+
+fn of_models(study: &DerivativeStudy<Dual64>, plane: Plane) -> Option<Matrix4<f64>> {
+    Some(study.models().planes[plane].as_ref()?.a.map(|x| x.eps))
 }
