@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::edits::Edited;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::aircraft::study::{MatrixStudy, Study};
@@ -106,7 +107,7 @@ fn parts(criterion: &mut Criterion) {
     let Some(models) = navion().and_then(|scenario| scenario.edited.models().ok()) else { return };
     for (plane, name) in [(Plane::Longitudinal, "longitudinal"), (Plane::Lateral, "lateral")] {
         let Some(model) = &models.planes[plane] else { continue };
-        let found = modes(model).unwrap_or_default();
+        let (found, stability_axes) = (modes(model).unwrap_or_default(), StabilityAxes::of(model));
         let mut bench = |what: &str, run: &dyn Fn()| {
             criterion.bench_function(&format!("{name}/{what}"), |bench| bench.iter(run));
         };
@@ -118,12 +119,12 @@ fn parts(criterion: &mut Criterion) {
                 }
             }
         });
-        bench("approximations", &|| drop(black_box(approximations(black_box(model), &found))));
+        bench("approximations", &|| drop(black_box(approximations(black_box(&stability_axes), &found))));
         bench("handling_qualities", &|| {
             drop(black_box(handling_qualities(black_box(model), &found, Class::I, Category::B)));
         });
         bench("static_stability", &|| {
-            let _ = black_box(plane_static_stability(black_box(model), None));
+            let _ = black_box(plane_static_stability(black_box(&stability_axes), None));
         });
         let entry = |value: f64| {
             let mut a = model.a;

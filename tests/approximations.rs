@@ -2,6 +2,7 @@
 
 mod reference;
 
+use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::modes::approximations::{
     Approximation, ApproximationName as Name, ModeValue, approximations,
@@ -14,7 +15,7 @@ use reference::{all_models, reference};
 use serde_json::Value;
 
 fn all(model: &PlaneModel) -> Vec<Approximation> {
-    approximations(model, &modes(model).expect("modes"))
+    approximations(&StabilityAxes::of(model), &modes(model).expect("modes"))
 }
 
 fn one(model: &PlaneModel, name: Name) -> Approximation {
@@ -178,7 +179,7 @@ fn the_spiral_is_exact_as_it_becomes_neutral() {
         let tolerance = 2.0 * distance + 1e-9;
         assert_exact(&navion(Plane::Lateral, nearly_neutral), Name::SpiralPolynomial, false, tolerance);
         assert_exact(&navion(Plane::Lateral, no_side_force), Name::SpiralWithGravity, false, tolerance);
-        let quick = approximations(&navion(Plane::Lateral, nor_roll_damping), &[]);
+        let quick = approximations(&StabilityAxes::of(&navion(Plane::Lateral, nor_roll_damping)), &[]);
         let value = |name| quick.iter().find(|a| a.name == name).and_then(|a| a.value).expect("a value");
         // Without roll damping the roots' names are others; the polynomial's root stands for the exact one.
         let (ModeValue::Root(quick), ModeValue::Root(exact)) =
@@ -226,7 +227,7 @@ proptest! {
         model.a = Matrix4::from_row_slice(&entries);
         model.trim.alpha0 = alpha0;
         let modes = modes(&model).unwrap_or_default();
-        for found in approximations(&model, &modes) {
+        for found in approximations(&StabilityAxes::of(&model), &modes) {
             for value in [found.value, found.exact].into_iter().flatten() {
                 let finite = match value {
                     ModeValue::SecondOrder { natural_frequency, damping_ratio } => natural_frequency.is_finite() && damping_ratio.is_none_or(f64::is_finite),

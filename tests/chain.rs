@@ -2,7 +2,7 @@
 //! independently with NumPy from the same data (`data/reference_models.json`).
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::aircraft::axes::{to_body_axes, to_stability_axes};
+use eigenwing::flight::aircraft::axes::{StabilityAxes, in_axes_at};
 use eigenwing::flight::aircraft::coefficients::{
     Airframe, Coefficients, InertiaAxes, LateralCoefficients, LongitudinalCoefficients, PlanarInertia,
 };
@@ -303,8 +303,9 @@ fn stability_axes_are_those_of_the_independent_transform() {
             (models.planes.lateral, &reference.lateral),
         ] {
             let Some(want) = reference_model.a_stab else { continue };
-            let model = to_stability_axes(&model.expect("both planes"));
-            let n = lengths(&model);
+            let stability_axes = StabilityAxes::of(&model.expect("both planes"));
+            let model = stability_axes.model();
+            let n = lengths(model);
             for i in 0..4 {
                 for j in 0..4 {
                     let unit = if i < n { FT } else { 1.0 } / if j < n { FT } else { 1.0 };
@@ -330,8 +331,8 @@ fn axes_change_no_eigenvalue_and_there_and_back_is_the_same() {
         let models = one.study.models().expect("it has a steady flight");
         for model in models.planes.longitudinal.into_iter().chain(models.planes.lateral) {
             for alpha0 in [-0.1, 0.0, 0.2] {
-                let turned = to_body_axes(&model, alpha0);
-                let back = to_body_axes(&turned, model.trim.alpha0);
+                let turned = in_axes_at(&model, alpha0);
+                let back = in_axes_at(&turned, model.trim.alpha0);
                 assert!((back.a - model.a).amax() <= 1e-12 * model.a.amax(), "{}", one.key);
                 assert!((back.b - model.b).amax() <= 1e-12 * model.b.amax(), "{}", one.key);
                 let (x, y) = (eigen(&model.a).expect("it solves"), eigen(&turned.a).expect("it solves"));
@@ -369,11 +370,11 @@ fn leaving_w0_out_of_body_axes_turns_the_747s_dutch_roll_unstable() {
 #[test]
 fn inertia_turns_as_for_the_747() {
     let body = PlanarInertia { ix: 14.3e6, iz: 45.3e6, ixz: 0.87e6 };
-    let stability = body.turned(5.7_f64.to_radians());
+    let stability = body.in_axes_at(5.7_f64.to_radians());
     assert_within(stability.ix, 14.434e6, 1e-4, "Ix");
     assert_within(stability.iz, 45.166e6, 1e-4, "Iz");
     assert_within(stability.ixz, -2.211e6, 1e-3, "Ixz");
-    let back = stability.turned(-5.7_f64.to_radians());
+    let back = stability.in_axes_at(-5.7_f64.to_radians());
     assert_within(back.ixz, body.ixz, 1e-12, "Ixz back");
 }
 

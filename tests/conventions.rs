@@ -1,7 +1,7 @@
 //! One test a sign, over every aircraft that ships.
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
-use eigenwing::flight::aircraft::axes::to_stability_axes;
+use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::plane::PlaneModel;
 use eigenwing::flight::aircraft::study::Study;
 
@@ -38,7 +38,7 @@ fn more_throttle_pushes_forward() {
 fn faster_brakes_along_the_flight_path() {
     for (key, model, _) in models() {
         // in body axes the 747's Xu at Mach 0.7 is positive: part of its Zu
-        assert!(to_stability_axes(&model).a[(0, 0)] < 0.0, "{key}: Xu");
+        assert!(StabilityAxes::of(&model).model().a[(0, 0)] < 0.0, "{key}: Xu");
     }
 }
 

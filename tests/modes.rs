@@ -1,6 +1,7 @@
 //! Names, verdicts and warnings, against published modes and the lesson's golden analysis.
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
+use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::edits::Edited;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::aircraft::states::Longitudinal;
@@ -125,7 +126,7 @@ fn without_speed_stability_the_static_limit_is_pitch_stiffness_zero() {
         [(-1e-6, Stability::Stable), (0.0, Stability::Neutral), (1e-6, Stability::Unstable)]
     {
         model.a[(Longitudinal::Q.index(), Longitudinal::W.index())] = m_w;
-        assert_eq!(plane_static_stability(&model, None).verdict, expected, "M_w = {m_w}");
+        assert_eq!(plane_static_stability(&StabilityAxes::of(&model), None).verdict, expected, "M_w = {m_w}");
     }
 }
 

@@ -5,6 +5,7 @@ mod reference;
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
 use eigenwing::flight::modes::mode::{modes, modes_of};
 use eigenwing::flight::modes::stability::Stability;
@@ -24,7 +25,7 @@ fn navion(plane: Plane) -> PlaneModel {
 fn every_reference_aircraft_points_back_in_pitch_yaw_and_roll() {
     for reference in references() {
         for plane in Plane::ALL {
-            match plane_static_stability(&reference.model(plane), None).stiffness {
+            match plane_static_stability(&StabilityAxes::of(&reference.model(plane)), None).stiffness {
                 PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => {
                     assert_eq!(m_w.verdict, Stability::Stable, "{}", reference.id);
                     assert!(to_manoeuvre_point.expect("a speed") > 0.0);
@@ -44,7 +45,7 @@ fn a_real_root_that_grows_alone_is_what_a_negative_determinant_means() {
         let growing = modes(&model).expect("modes");
         let growing =
             growing.iter().filter(|m| !m.is_oscillatory() && m.stability == Stability::Unstable).count();
-        let found = plane_static_stability(&model, None);
+        let found = plane_static_stability(&StabilityAxes::of(&model), None);
         assert_eq!(found.determinant > 0.0, growing % 2 == 0, "{id}");
         if model.plane == Plane::Longitudinal {
             let expected = if growing == 0 { Stability::Stable } else { Stability::Unstable };
@@ -57,7 +58,7 @@ fn a_real_root_that_grows_alone_is_what_a_negative_determinant_means() {
 fn the_navion_is_neutral_at_no_stiffness_and_manoeuvres_until_the_manoeuvre_point() {
     let at = |factor: f64| {
         plane_static_stability(
-            &PlaneModel { a: navion_with_m_w(factor), ..navion(Plane::Longitudinal) },
+            &StabilityAxes::of(&PlaneModel { a: navion_with_m_w(factor), ..navion(Plane::Longitudinal) }),
             None,
         )
     };
@@ -80,7 +81,7 @@ fn the_margins_are_those_of_the_coefficients() {
     assert!((manoeuvre - margin - 0.07272).abs() < 1e-5, "{manoeuvre}");
     // The same from M_w: both distances are to each other as the margins, but for the drag beside CL_α (1.1 %).
     let PlaneStiffness::Longitudinal { to_manoeuvre_point, .. } =
-        plane_static_stability(&navion(Plane::Longitudinal), None).stiffness
+        plane_static_stability(&StabilityAxes::of(&navion(Plane::Longitudinal)), None).stiffness
     else {
         panic!("pitch")
     };
@@ -95,10 +96,12 @@ fn the_navions_spiral_is_neutral_where_the_condition_is() {
     let condition = |factor: f64| {
         let mut model = navion(Plane::Lateral);
         model.a[(1, 0)] *= factor;
-        let PlaneStiffness::Lateral { spiral, .. } = plane_static_stability(&model, None).stiffness else {
+        let PlaneStiffness::Lateral { spiral, .. } =
+            plane_static_stability(&StabilityAxes::of(&model), None).stiffness
+        else {
             panic!("yaw and roll")
         };
-        (spiral, plane_static_stability(&model, None).determinant)
+        (spiral, plane_static_stability(&StabilityAxes::of(&model), None).determinant)
     };
     let (one, _) = condition(1.0);
     assert!(condition(factor).0.value.abs() < 1e-6 * one.value);
@@ -116,7 +119,7 @@ fn sideways_the_verdict_is_on_the_moments_of_a_sideslip_not_on_the_spiral() {
         let mut model = navion(Plane::Lateral);
         model.a[(1, 0)] *= scale[0];
         model.a[(2, 0)] *= scale[1];
-        plane_static_stability(&model, None)
+        plane_static_stability(&StabilityAxes::of(&model), None)
     };
     // Half the dihedral: the Navion's spiral grows, but a sideslip still rolls and yaws it back.
     let spiral = lateral([0.5 * sweeps().spiral_neutral_l_beta_factor, 1.0]);
@@ -168,7 +171,8 @@ fn static_stability_is_neither_needed_nor_enough_for_dynamic_stability() {
     let a = Matrix4::from_row_slice(&[
         -0.045, 0.036, 0.0, -9.81, -0.369, -2.02, 1.76, 0.0, 0.191, -3.96, -2.98, 0.0, 0.0, 0.0, 1.0, 0.0,
     ]);
-    let found = plane_static_stability(&PlaneModel { a, ..navion(Plane::Longitudinal) }, None);
+    let found =
+        plane_static_stability(&StabilityAxes::of(&PlaneModel { a, ..navion(Plane::Longitudinal) }), None);
     assert_eq!(found.verdict, Stability::Stable);
     let modes = modes_of(Plane::Longitudinal, &a).expect("modes");
     assert!(modes.iter().any(|mode| mode.stability == Stability::Unstable));
@@ -181,7 +185,7 @@ proptest! {
     fn no_number_is_ever_not_finite(entries in proptest::collection::vec(prop_oneof![Just(0.0), -10.0..10.0_f64, -1e75..1e75_f64], 16), lateral in any::<bool>()) {
         let mut model = navion(if lateral { Plane::Lateral } else { Plane::Longitudinal });
         model.a = Matrix4::from_row_slice(&entries);
-        let found = plane_static_stability(&model, None);
+        let found = plane_static_stability(&StabilityAxes::of(&model), None);
         prop_assert!(found.determinant.is_finite());
         match found.stiffness {
             PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => prop_assert!(m_w.value.is_finite() && to_manoeuvre_point.is_none_or(f64::is_finite)),

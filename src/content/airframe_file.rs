@@ -262,8 +262,8 @@ pub(super) fn derivative_study(
     block.finish()?;
     // Turn the inertia into the axes of the derivatives.
     let inertia = inertia.map(|(inertia, given)| match (given, axes) {
-        (InertiaAxes::Body, Axes::Stability) => inertia.turned(flight.alpha0),
-        (InertiaAxes::Stability, Axes::Body) => inertia.turned(-flight.alpha0),
+        (InertiaAxes::Body, Axes::Stability) => inertia.in_axes_at(flight.alpha0),
+        (InertiaAxes::Stability, Axes::Body) => inertia.in_axes_at(-flight.alpha0),
         _ => inertia,
     });
 

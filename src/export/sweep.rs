@@ -8,6 +8,7 @@ use super::aircraft::AircraftReport;
 use super::plane::{dynamic_word, static_word};
 use super::report::Units;
 use super::subject::{ExportError, Subject, checked, find_parameter, plane_name};
+use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::edits::Edited;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::study::StudyError;
@@ -330,7 +331,8 @@ fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) 
 
 fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String> {
     let modes = modes(model).map_err(|error| error.to_string())?;
-    let of_static = plane_static_stability(model, edited.derivatives_behind(model.plane).as_ref());
+    let of_static =
+        plane_static_stability(&StabilityAxes::of(model), edited.derivatives_behind(model.plane).as_ref());
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
     let of_dynamic: Stability = dynamic_stability(worst, fastest);

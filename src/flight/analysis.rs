@@ -3,6 +3,7 @@
 use nalgebra::Vector4;
 use thiserror::Error;
 
+use super::aircraft::axes::StabilityAxes;
 use super::aircraft::edits::{Edited, Offsets};
 use super::aircraft::plane::{ByPlane, Plane, PlaneModel};
 use super::aircraft::states::Longitudinal::{Theta, U};
@@ -155,10 +156,12 @@ fn analyse_plane(
         return Err(AnalysisError::TrimSpeed(speed));
     }
     let modes = modes(&model)?;
+    let stability_axes = StabilityAxes::of(&model);
+    let derivatives = edited.derivatives_behind(model.plane);
     Ok(PlaneAnalysis {
         dynamic_stability: modes.iter().map(|mode| mode.stability).max().unwrap_or_default(),
-        static_stability: plane_static_stability(&model, edited.derivatives_behind(model.plane).as_ref()),
-        approximations: approximations(&model, &modes),
+        static_stability: plane_static_stability(&stability_axes, derivatives.as_ref()),
+        approximations: approximations(&stability_axes, &modes),
         levels: task
             .map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),
         modes,

@@ -4,18 +4,27 @@ use nalgebra::{Matrix4, Vector4};
 
 use super::plane::{Plane, PlaneModel, Trim};
 
-/// The model in the stability axes of its trim: x along the steady velocity.
-pub fn to_stability_axes(model: &PlaneModel) -> PlaneModel {
-    turned(model, 0.0)
+/// A model in the stability axes of its trim, x along the steady velocity: what the textbooks' formulas are written in.
+///
+/// A formula that takes this type can't be given body axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StabilityAxes(PlaneModel);
+
+impl StabilityAxes {
+    /// The model turned into its stability axes.
+    pub fn of(model: &PlaneModel) -> Self {
+        Self(in_axes_at(model, 0.0))
+    }
+
+    /// The model.
+    pub const fn model(&self) -> &PlaneModel {
+        &self.0
+    }
 }
 
-/// The model in body axes whose x axis stands at an angle of attack α₀ \[rad\] to the steady velocity.
-pub fn to_body_axes(model: &PlaneModel, alpha0: f64) -> PlaneModel {
-    turned(model, alpha0)
-}
-
-/// A₂ = T A T⁻¹ and B₂ = T B for axes at angle of attack `alpha0` instead of the model's own.
-fn turned(model: &PlaneModel, alpha0: f64) -> PlaneModel {
+/// The model in body axes whose x axis stands at an angle of attack α₀ \[rad\] to the steady velocity:
+/// A₂ = T A T⁻¹ and B₂ = T B.
+pub fn in_axes_at(model: &PlaneModel, alpha0: f64) -> PlaneModel {
     let trim = Trim { alpha0, ..model.trim };
     // Turn about y from the old x axis down to the new one.
     let (sin, cos) = (model.trim.alpha0 - alpha0).sin_cos();

@@ -86,7 +86,7 @@ pub struct PlanarInertia<T = f64> {
 impl<T: Real> PlanarInertia<T> {
     /// In axes turned nose-down by α \[rad\] about y: from body to stability axes for the trim angle of attack α
     /// (the tensor turned about y; Etkin & Reid, *Dynamics of Flight*, 3rd ed., ch. 4).
-    pub fn turned(&self, alpha: T) -> Self {
+    pub fn in_axes_at(&self, alpha: T) -> Self {
         let Self { ix, iz, ixz } = *self;
         let (sin2, cos2) = (alpha.sin().powi(2), alpha.cos().powi(2));
         let (sin_2a, cos_2a) = (alpha * 2.0).sin_cos();
@@ -106,7 +106,7 @@ impl<T: Real> Airframe<T> {
     /// `alpha0 + alpha_change` now \[rad\].
     pub fn stability_inertia(&self, alpha0: f64, alpha_change: T) -> PlanarInertia<T> {
         let given = PlanarInertia { ix: self.ix, iz: self.iz, ixz: T::from(self.ixz) };
-        given.turned(match self.inertia_axes {
+        given.in_axes_at(match self.inertia_axes {
             InertiaAxes::Body => alpha_change + alpha0,
             InertiaAxes::Stability => alpha_change,
         })
@@ -115,7 +115,7 @@ impl<T: Real> Airframe<T> {
 
 impl Airframe {
     /// The same with numbers that are constant.
-    pub fn at_rest(&self) -> Airframe<Dual64> {
+    pub fn constant(&self) -> Airframe<Dual64> {
         let [mass, ix, iy, iz] = [self.mass, self.ix, self.iy, self.iz].map(Dual64::from);
         let Self { s, c, b, ixz, inertia_axes, taper, tail, fin, .. } = *self;
         let Self { thrust_per_throttle, thrust_exponent, thrust_offset, .. } = *self;

@@ -10,8 +10,8 @@ use super::mode::Mode;
 use super::mode_name::ModeName;
 use super::quartic::polynomial;
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
-use crate::flight::aircraft::axes::to_stability_axes;
-use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::axes::StabilityAxes;
+use crate::flight::aircraft::plane::Plane;
 
 /// Which approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,8 +146,8 @@ fn relative_error(approximate: f64, exact: f64) -> Option<f64> {
 }
 
 /// Every approximation for the plane of `model`, in a fixed order; `modes` are its exact modes.
-pub fn approximations(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
-    let model = to_stability_axes(model);
+pub fn approximations(model: &StabilityAxes, modes: &[Mode]) -> Vec<Approximation> {
+    let model = model.model();
     match model.plane {
         Plane::Longitudinal => longitudinal(&model.a, modes),
         Plane::Lateral => lateral(&model.a, modes),

@@ -7,7 +7,7 @@ use super::mil_f_8785c::{
     Category, Class, Criterion, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll, phugoid,
     roll_mode, short_period_damping, short_period_frequency, spiral,
 };
-use crate::flight::aircraft::axes::to_stability_axes;
+use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
@@ -44,13 +44,6 @@ pub struct Governing {
     pub other: Option<f64>,
     /// The value that the aircraft has.
     pub value: f64,
-}
-
-impl Governing {
-    /// By how much the value would have to change to reach the limit, signed, in the unit of the quantity.
-    pub fn distance(&self) -> f64 {
-        self.requirement.limit - self.value
-    }
 }
 
 /// The verdict on one criterion.
@@ -102,11 +95,10 @@ pub fn handling_qualities(
 
 /// Load factor for angle of attack n/α \[g/rad\], positive where more angle of attack is more lift; `None` if not finite.
 ///
-/// In stability axes n/α = −V² A_ww/(g A_wq), which is −V Zw/g where Zq is zero (MIL-F-8785C 6.2.4).
-pub fn load_factor_slope(model: &PlaneModel) -> Option<f64> {
-    let a = to_stability_axes(model).a;
-    let v = model.trim.speed;
-    let slope = -v * v * a[(1, 1)] / (model.trim.gravity * a[(1, 2)]);
+/// n/α = −V² A_ww/(g A_wq), which is −V Zw/g where Zq is zero (MIL-F-8785C 6.2.4).
+pub fn load_factor_slope(model: &StabilityAxes) -> Option<f64> {
+    let PlaneModel { a, trim, .. } = model.model();
+    let slope = -trim.speed * trim.speed * a[(1, 1)] / (trim.gravity * a[(1, 2)]);
     slope.is_finite().then_some(slope)
 }
 
@@ -127,7 +119,7 @@ fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Cate
         let damping = judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
         verdicts.push(Verdict { remark, ..damping });
         // CAP = ωₙ²/(n/α)
-        let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
+        let slope = load_factor_slope(&StabilityAxes::of(model)).filter(|slope| *slope > 0.0);
         if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
             let values = vec![
                 (Quantity::ControlAnticipation, cap),

@@ -11,6 +11,7 @@ use super::mil_f_8785c::{
     short_period_damping, short_period_frequency, spiral,
 };
 use super::task::Task;
+use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::PlaneModel;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
@@ -58,7 +59,7 @@ impl Boundary {
 /// The boundaries for the modes that an aircraft has, in the order of its modes and of the levels.
 pub fn level_boundaries(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Boundary> {
     let Task { class, category } = task;
-    let slope = load_factor_slope(model).filter(|slope| *slope > 0.0);
+    let slope = load_factor_slope(&StabilityAxes::of(model)).filter(|slope| *slope > 0.0);
     let mut boundaries = Vec::new();
     for mode in modes {
         let tables: Vec<(Criterion, Levels)> = match mode.naming.name {

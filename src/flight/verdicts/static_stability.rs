@@ -6,7 +6,7 @@
 
 use nalgebra::Matrix4;
 
-use crate::flight::aircraft::axes::to_stability_axes;
+use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
 use crate::flight::aircraft::study::DerivativeStudy;
@@ -89,13 +89,13 @@ pub enum PlaneStiffness {
 /// det A = g (Zu Mw − Mu Zw) longitudinally and g (L'v N'r − N'v L'r) laterally, in level flight (Etkin & Reid, *Dynamics of
 /// Flight*, §§6.5, 6.8: criterion E > 0).
 pub fn plane_static_stability(
-    model: &PlaneModel,
+    model: &StabilityAxes,
     derivatives: Option<&DerivativeStudy>,
 ) -> PlaneStaticStability {
-    let (of_determinant, determinant) = verdict_of_determinant(&model.a);
-    let a = to_stability_axes(model).a;
+    let PlaneModel { plane, a, .. } = model.model();
+    let (of_determinant, determinant) = verdict_of_determinant(a);
     let is_plain;
-    let stiffness = match model.plane {
+    let stiffness = match plane {
         Plane::Longitudinal => {
             let [w, q] = [Longitudinal::W, Longitudinal::Q].map(Longitudinal::index);
             let [z_w, v, m_w, m_q] = [a[(w, w)], a[(w, q)], a[(q, w)], a[(q, q)]];

@@ -27,9 +27,7 @@ impl Parameter {
         match self.place {
             Place::LongitudinalDerivative(of) => Some((of(&mut offsets.longitudinal), 1.0)),
             Place::LateralDerivative(of) => Some((of(&mut offsets.lateral), 1.0)),
-            Place::A(plane, row, column, sign) => {
-                Some((&mut offsets.matrices[plane].a[(row, column)], sign))
-            }
+            Place::A(plane, row, column, sign) => Some((&mut offsets.matrices[plane].a[(row, column)], sign)),
             Place::B(plane, row, column) => Some((&mut offsets.matrices[plane].b[(row, column)], 1.0)),
             Place::LongitudinalCoefficient(_)
             | Place::LateralCoefficient(_)

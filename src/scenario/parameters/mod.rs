@@ -308,7 +308,9 @@ impl Parameter {
             Place::Condition(of) => of_coefficients.map(|study| read(of, &study.condition)),
             Place::LongitudinalDerivative(of) => Some(read(of, derivatives()?.longitudinal.as_ref()?)),
             Place::LateralDerivative(of) => Some(read(of, derivatives()?.lateral.as_ref()?)),
-            Place::A(plane, row, column, sign) => Some(sign * models()?.planes[plane].as_ref()?.a[(row, column)]),
+            Place::A(plane, row, column, sign) => {
+                Some(sign * models()?.planes[plane].as_ref()?.a[(row, column)])
+            }
             Place::B(plane, row, column) => Some(models()?.planes[plane].as_ref()?.b[(row, column)]),
             Place::Disturbance(of) => Some(read(of, sizes)),
         }
