@@ -40,12 +40,18 @@ fn spinning(rates: [f64; 3]) -> State {
     }
 }
 
+/// h = I ω about the body axes [kg m²/s].
+fn body_angular_momentum(inertia: &Inertia, [p, q, r]: [f64; 3]) -> [f64; 3] {
+    let Inertia { ix, iy, iz, ixz } = *inertia;
+    [ix * p - ixz * r, iy * q, iz * r - ixz * p]
+}
+
 fn kinetic(inertia: &Inertia, rates: [f64; 3]) -> f64 {
-    0.5 * Vector3::from(inertia.angular_momentum(rates)).dot(&Vector3::from(rates))
+    0.5 * Vector3::from(body_angular_momentum(inertia, rates)).dot(&Vector3::from(rates))
 }
 
 fn angular_momentum(inertia: &Inertia, state: &State) -> Vector3<f64> {
-    state.attitude.to_earth(inertia.angular_momentum(state.rates)).into()
+    state.attitude.to_earth(body_angular_momentum(inertia, state.rates)).into()
 }
 
 /// ½V² + g h and ½ω·h of a body that turns about every four seconds. 10⁻⁹ in each of some 2,000 steps may add up to 2·10⁻⁶,

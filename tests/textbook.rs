@@ -2,11 +2,14 @@
 //!
 //! `UPDATE_VALIDATION=1 cargo test --no-default-features --test textbook` writes docs/VALIDATION.md anew.
 
+mod published;
+
 use std::fmt::Write as _;
 
-use eigenwing::content::aircraft::{Comparison, PlaneNotes, Quantity, compare};
+use eigenwing::content::aircraft::{PlaneNotes, Quantity};
 use eigenwing::content::{Aircraft, Status, embedded_aircraft};
 use eigenwing::flight::aircraft::plane::Plane;
+use published::{Comparison, compare};
 
 const PLANES: [Plane; 2] = Plane::ALL;
 

@@ -145,7 +145,7 @@ pub fn steady_flight<T: Real>(
     }
     // C_Lα Δα + C_L_M ΔM = ΔC_L
     let lift_by_alpha = (cl - c.cl) - c.cl_m * (mach - reference.mach());
-    let alpha_change = if lift_by_alpha.rests_at(0.0) {
+    let alpha_change = if lift_by_alpha.is_constantly(0.0) {
         T::from(0.0)
     } else if c.cl_alpha > 1e-3 {
         lift_by_alpha / c.cl_alpha
@@ -163,13 +163,10 @@ impl Reference {
     }
 }
 
-/// What changing speed, altitude, mass or flight path moves besides q̄, V and M.
-pub const CONDITION_MOVES: [&str; 5] = ["CL", "CD", "CD_alpha", "Cl_r", "Cn_p"];
-
 /// The coefficients at another lift and Mach number, stability axes; at the reference they are unchanged to the bit.
 ///
-/// Parabolic drag C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid §5.1); Cl_r and Cn_p by C_L/4 and −C_L/8
-/// (Nelson, Table 3.4). Other coefficients keep their values: their own change with Mach number and angle of attack is not in the
+/// The drag is parabolic, C_D = C_D0 + k C_L² with k from C_Dα = 2 k C_L C_Lα (Etkin & Reid §5.1); Cl_r and Cn_p follow C_L
+/// (Nelson, Table 3.4). Other coefficients keep their values: how they change with Mach number and angle of attack is not in the
 /// data.
 pub fn at_lift<T: Real>(
     c: &Coefficients<T>,

@@ -249,16 +249,17 @@ impl<T: Real> LateralDerivatives<T> {
     /// From derivatives that are printed primed, the product of inertia already in them, so that it enters once:
     /// L = L′ − (Ixz/Ix) N′ and N = N′ − (Ixz/Iz) L′, the inverse of [`LateralDerivatives::primed`].
     pub fn from_primed(primed: &Self) -> Self {
-        primed.mixed(-1.0, T::from(1.0))
+        primed.with_product_of_inertia(-1.0, T::from(1.0))
     }
 
     /// The same with primed L′ and N′: L′ = (L + (Ixz/Ix) N) G, N′ = (N + (Ixz/Iz) L) G, G = 1/(1 − Ixz²/(Ix Iz))
     /// (McRuer, Ashkenas & Graham, ch. 4).
     pub fn primed(&self) -> Self {
-        self.mixed(1.0, (T::from(1.0) - self.ixz_over_ix * self.ixz_over_iz).recip())
+        self.with_product_of_inertia(1.0, (T::from(1.0) - self.ixz_over_ix * self.ixz_over_iz).recip())
     }
 
-    fn mixed(&self, sign: f64, g: T) -> Self {
+    /// L + (Ixz/Ix) N and N + (Ixz/Iz) L, times G; with `sign` −1 the Ixz terms are taken away.
+    fn with_product_of_inertia(&self, sign: f64, g: T) -> Self {
         let (ix, iz) = (self.ixz_over_ix * sign, self.ixz_over_iz * sign);
         let roll = |l: T, n: T| (l + ix * n) * g;
         let yaw = |l: T, n: T| (n + iz * l) * g;

@@ -30,9 +30,4 @@ impl Inertia {
         let determinant = ix * iz - ixz * ixz;
         [(roll * iz + yaw * ixz) / determinant, pitch / iy, (roll * ixz + yaw * ix) / determinant]
     }
-
-    /// Angular momentum h = I ω about the body axes \[kg m²/s\].
-    pub fn angular_momentum(&self, [p, q, r]: [f64; 3]) -> [f64; 3] {
-        [self.ix * p - self.ixz * r, self.iy * q, self.iz * r - self.ixz * p]
-    }
 }

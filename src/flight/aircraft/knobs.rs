@@ -81,45 +81,6 @@ impl Knob {
     /// All, in the order in which they are applied.
     pub const ALL: [Self; 6] =
         [Self::Mass, Self::Inertia, Self::Dihedral, Self::Tail, Self::Fin, Self::CentreOfGravity];
-
-    /// Keys of what it moves: of coefficients, or `mass`, `Ix`, `Iy`, `Iz`.
-    pub const fn moves(self) -> &'static [&'static str] {
-        match self {
-            Self::Mass => &["mass"],
-            Self::Inertia => &["Ix", "Iy", "Iz"],
-            Self::CentreOfGravity => &[
-                "Cm_alpha",
-                "Cm_alphadot",
-                "CL_q",
-                "Cm_q",
-                "Cm_M",
-                "Cm_de",
-                "Cn_beta",
-                "Cn_p",
-                "CY_r",
-                "Cl_r",
-                "Cn_r",
-                "Cn_da",
-                "Cn_dr",
-            ],
-            Self::Tail => &[
-                "CL_alpha",
-                "Cm_alpha",
-                "CL_alphadot",
-                "Cm_alphadot",
-                "CL_q",
-                "Cm_q",
-                "CL_de",
-                "CD_de",
-                "Cm_de",
-            ],
-            Self::Fin => &[
-                "CY_beta", "Cl_beta", "Cn_beta", "CY_p", "Cl_p", "Cn_p", "CY_r", "Cl_r", "Cn_r", "CY_dr",
-                "Cl_dr", "Cn_dr",
-            ],
-            Self::Dihedral => &["Cl_beta"],
-        }
-    }
 }
 
 impl<T: Real> Knobs<T> {
@@ -151,19 +112,19 @@ impl<T: Real> Knobs<T> {
                 a.iy *= positive(knob, self.iy_ratio)?;
                 a.iz *= positive(knob, self.iz_ratio)?;
             }
-            Knob::CentreOfGravity => c = shifted(&a, &c, within(knob, self.cg_shift, FARTHEST_SHIFT)?),
-            Knob::Tail if self.tail_ratio.rests_at(1.0) => {}
+            Knob::CentreOfGravity => c = with_cg_at(&a, &c, within(knob, self.cg_shift, FARTHEST_SHIFT)?),
+            Knob::Tail if self.tail_ratio.is_constantly(1.0) => {}
             Knob::Tail => {
                 let arm = a.tail.map(|tail| tail.arm / a.c).ok_or(KnobError::NoGeometry(knob))?;
                 c = with_tail(&c, arm, not_negative(knob, self.tail_ratio)?);
             }
-            Knob::Fin if self.fin_ratio.rests_at(1.0) => {}
+            Knob::Fin if self.fin_ratio.is_constantly(1.0) => {}
             Knob::Fin => {
                 let fin = a.fin.map(|fin| (fin.arm / a.b, fin.height / a.b));
                 let fin = fin.ok_or(KnobError::NoGeometry(knob))?;
                 c = with_fin(&c, fin, not_negative(knob, self.fin_ratio)?);
             }
-            Knob::Dihedral if self.dihedral_change.rests_at(0.0) => {}
+            Knob::Dihedral if self.dihedral_change.is_constantly(0.0) => {}
             Knob::Dihedral => {
                 let taper = a.taper.ok_or(KnobError::NoGeometry(knob))?;
                 c = with_dihedral(&c, taper, within(knob, self.dihedral_change, MOST_DIHEDRAL)?);
@@ -196,9 +157,9 @@ fn within<T: Real>(knob: Knob, value: T, limit: f64) -> Result<T, KnobError> {
 /// Everything about a centre of gravity `shift` mean chords further aft.
 ///
 /// A force at the old centre acts Δx ahead of the new one: Cm′ = Cm + C_L Δx/c̄ and Cn′ = Cn + CY Δx/b. Turning about the new
-/// centre moves the old one: α = α′ − q Δx/V and β = β′ + r Δx/V (Etkin & Reid §2.3 for Cm_α). The force along x, the height and the
+/// centre moves the old one: α = α′ − q Δx/V and β = β′ + r Δx/V (Etkin & Reid §2.3). The force along x, the height and the
 /// inertias are left alone.
-fn shifted<T: Real>(airframe: &Airframe<T>, coefficients: &Coefficients<T>, shift: T) -> Coefficients<T> {
+fn with_cg_at<T: Real>(airframe: &Airframe<T>, coefficients: &Coefficients<T>, shift: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     let (l, h) = (&mut moved.longitudinal, shift);
     // in q c̄/2V: C_Lq′ = C_Lq − 2h C_Lα,  Cm_q′ = Cm_q − 2h Cm_α + h C_Lq′
@@ -224,7 +185,8 @@ fn shifted<T: Real>(airframe: &Airframe<T>, coefficients: &Coefficients<T>, shif
     moved
 }
 
-/// A tail `ratio` times as large on the same arm l_t/c̄ (Nelson, ch. 3); its own mass and drag are left out.
+/// A tail `ratio` times as large on the same arm l_t/c̄: tail parts of the derivatives (Nelson, ch. 3), with η a_t and dε/dα
+/// from the aircraft's own Cm_q and Cm_α̇. The tail's own mass and drag are left out.
 fn with_tail<T: Real>(coefficients: &Coefficients<T>, arm: f64, ratio: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     let (c, l) = (&coefficients.longitudinal, &mut moved.longitudinal);
@@ -250,7 +212,8 @@ fn with_tail<T: Real>(coefficients: &Coefficients<T>, arm: f64, ratio: T) -> Coe
     moved
 }
 
-/// A fin and rudder `ratio` times as large, with arm l_v/b and height z_v/b the same (Nelson, Table 3.4); their own mass and drag are left out.
+/// A fin and rudder `ratio` times as large, with arm l_v/b and height z_v/b the same: fin parts of the derivatives (Nelson,
+/// Table 3.4). The fin's own mass and drag are left out.
 fn with_fin<T: Real>(coefficients: &Coefficients<T>, (arm, height): (f64, f64), ratio: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     if let Some(c) = &mut moved.lateral {
@@ -274,7 +237,7 @@ fn with_fin<T: Real>(coefficients: &Coefficients<T>, (arm, height): (f64, f64), 
     moved
 }
 
-/// Wing tips up by `change` \[rad\] more, on a wing of taper ratio λ: strip theory (as in Perkins & Hage 1949).
+/// Wing tips up by `change` \[rad\] more, on a wing of taper ratio λ: strip theory of a tapered wing (as in Perkins & Hage 1949).
 fn with_dihedral<T: Real>(coefficients: &Coefficients<T>, taper: f64, change: T) -> Coefficients<T> {
     let mut moved = *coefficients;
     if let Some(c) = &mut moved.lateral {

@@ -10,7 +10,7 @@ use num_dual::DualNum;
 /// A real number, alone or with its derivative with respect to one parameter. Comparisons are of the numbers alone.
 pub trait Real: DualNum<Primitive = f64> + Copy {
     /// Whether it has this value and stays there: a parameter that is moved through the value does not.
-    fn rests_at(self, value: f64) -> bool;
+    fn is_constantly(self, value: f64) -> bool;
 
     /// The smaller of the two; where they are equal, with the rate just above the limit: none.
     fn at_most(self, limit: f64) -> Self {
@@ -24,13 +24,13 @@ pub trait Real: DualNum<Primitive = f64> + Copy {
 }
 
 impl Real for f64 {
-    fn rests_at(self, value: f64) -> bool {
+    fn is_constantly(self, value: f64) -> bool {
         self == value
     }
 }
 
 impl Real for Dual64 {
-    fn rests_at(self, value: f64) -> bool {
+    fn is_constantly(self, value: f64) -> bool {
         self.re == value && self.eps == 0.0
     }
 }
@@ -59,13 +59,13 @@ macro_rules! record {
 }
 pub(crate) use record;
 
-/// The same numbers, all at rest.
-pub fn at_rest<R: Record<Number = f64, Of<f64> = R>>(values: &R) -> R::Of<Dual64> {
+/// The same numbers as constants, whose rates are zero.
+pub fn constant<R: Record<Number = f64, Of<f64> = R>>(values: &R) -> R::Of<Dual64> {
     values.zip(values, |value, _: f64| Dual64::from(value))
 }
 
-/// The same numbers, all at rest but one, which is the parameter: its rate is one.
-pub fn with_parameter<R: Record<Number = f64, Of<f64> = R>>(
+/// The same numbers, all constant but one, the parameter: it is seeded with a rate of one.
+pub fn seeded<R: Record<Number = f64, Of<f64> = R>>(
     values: &R,
     parameter: fn(&mut R) -> &mut f64,
 ) -> R::Of<Dual64> {

@@ -9,7 +9,7 @@ use super::condition::{
 use super::derivatives::{LateralDerivatives, LongitudinalDerivatives, lateral_model, longitudinal_model};
 use super::knobs::{KnobError, Knobs};
 use super::plane::{ByPlane, Plane, PlaneModel, Trim};
-use super::real::{Dual64, Real, at_rest};
+use super::real::{Dual64, Real, constant};
 use crate::flight::aircraft::inertia::Inertia;
 
 /// Everything editable of an aircraft, starting where its source starts.
@@ -128,16 +128,16 @@ impl CoefficientStudy {
     }
 
     /// The same with numbers that are constant, to put a parameter among them.
-    pub fn at_rest(&self) -> CoefficientStudy<Dual64> {
+    pub fn constant(&self) -> CoefficientStudy<Dual64> {
         CoefficientStudy {
-            airframe: self.airframe.at_rest(),
+            airframe: self.airframe.constant(),
             reference: self.reference,
             validity: self.validity,
-            condition: at_rest(&self.condition),
-            knobs: at_rest(&self.knobs),
+            condition: constant(&self.condition),
+            knobs: constant(&self.knobs),
             coefficients: Coefficients {
-                longitudinal: at_rest(&self.coefficients.longitudinal),
-                lateral: self.coefficients.lateral.as_ref().map(at_rest),
+                longitudinal: constant(&self.coefficients.longitudinal),
+                lateral: self.coefficients.lateral.as_ref().map(constant),
             },
         }
     }
@@ -166,13 +166,13 @@ impl<T: Real> CoefficientStudy<T> {
 
 impl DerivativeStudy {
     /// The same with numbers that are constant, to put a parameter among them.
-    pub fn at_rest(&self) -> DerivativeStudy<Dual64> {
+    pub fn constant(&self) -> DerivativeStudy<Dual64> {
         let Trim { speed, alpha0, gamma0, gravity } = self.trim;
         DerivativeStudy {
             trim: Trim { speed: speed.into(), alpha0, gamma0: gamma0.into(), gravity },
-            inertia: self.inertia.as_ref().map(at_rest),
-            longitudinal: self.longitudinal.as_ref().map(at_rest),
-            lateral: self.lateral.as_ref().map(at_rest),
+            inertia: self.inertia.as_ref().map(constant),
+            longitudinal: self.longitudinal.as_ref().map(constant),
+            lateral: self.lateral.as_ref().map(constant),
         }
     }
 }

@@ -234,7 +234,7 @@ impl<F: Fn(&[f64]) -> Option<Linearised>> Search<'_, F> {
             }
             let mut step = damped_step(&place.rates, &residual, damping, &place.y, &self.bounds);
             // No further than half-way to the next pole, so that the pole is not mistaken for another.
-            let expected = moved(&place.rates, &step);
+            let expected = first_order_move(&place.rates, &step);
             let far = expected.norm() / (0.5 * place.gap).max(self.tolerance);
             if far > 1.0 {
                 step.iter_mut().for_each(|d| *d /= far);
@@ -302,7 +302,7 @@ impl<F: Fn(&[f64]) -> Option<Linearised>> Search<'_, F> {
     }
 }
 
-fn moved(rates: &[Vector2<f64>], step: &[f64]) -> Vector2<f64> {
+fn first_order_move(rates: &[Vector2<f64>], step: &[f64]) -> Vector2<f64> {
     rates.iter().zip(step).map(|(rate, d)| rate * *d).sum()
 }
 

@@ -35,17 +35,6 @@ impl Rate {
     pub fn omega(&self) -> f64 {
         self.lambda.im
     }
-
-    /// The change for ten per cent more of a parameter that now has the value `p`, to first order.
-    pub fn per_ten_percent(&self, p: f64) -> Self {
-        // ΔX = (dX/dp) · 0.1 p; held finite, since a product may overflow
-        let step = |x: f64| (x * (0.1 * p)).clamp(-f64::MAX, f64::MAX);
-        Self {
-            lambda: Complex::new(step(self.lambda.re), step(self.lambda.im)),
-            natural_frequency: self.natural_frequency.map(step),
-            damping_ratio: self.damping_ratio.map(step),
-        }
-    }
 }
 
 /// How a mode answers a parameter.
@@ -92,11 +81,6 @@ pub fn sensitivity(mode: &Mode, a_rate: &Matrix4<f64>) -> Sensitivity {
         return Sensitivity::NotFinite;
     }
     Sensitivity::Simple(rate_of(mode, lambda))
-}
-
-/// Sensitivity of `mode` to the entry in row i, column j of A: ∂A/∂p = eᵢ eⱼᵀ, so dλ/dp = l̄ᵢ vⱼ / (lᴴ v).
-pub fn entry_sensitivity(mode: &Mode, row: usize, column: usize) -> Sensitivity {
-    sensitivity(mode, &entry_rate(row, column))
 }
 
 /// ∂A/∂p for p the entry of A in row i and column j: one there and zero elsewhere (all zero outside the matrix).

@@ -82,7 +82,7 @@ pub fn forced(
         a: model.a,
         path: path_rates(model),
         forcings: inputs.iter().map(forcing).collect(),
-        start: beginning(model, start, modes),
+        start: initial_state(model, start, modes),
     }
 }
 
@@ -119,7 +119,7 @@ pub fn fly(
         }
     };
     let edges: Vec<f64> = inputs.iter().flat_map(|(_, input)| input.edges()).collect();
-    let start = beginning(model, experiment.start, modes);
+    let start = initial_state(model, experiment.start, modes);
     let (longitudinal, lateral) = match plane {
         Plane::Longitudinal => (start, Vector4::zeros()),
         Plane::Lateral => (Vector4::zeros(), start),
@@ -128,7 +128,7 @@ pub fn fly(
     Ok(aircraft.fly(&excitation, experiment.grid))
 }
 
-fn beginning(model: &PlaneModel, start: Start, modes: &[Mode]) -> Vector4<f64> {
+fn initial_state(model: &PlaneModel, start: Start, modes: &[Mode]) -> Vector4<f64> {
     match start {
         Start::Rest => Vector4::zeros(),
         Start::Released([first, second, third, fourth]) => {

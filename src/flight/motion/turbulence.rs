@@ -178,22 +178,6 @@ impl Dryden {
     }
 }
 
-/// Pitch rate q_g = −ẇ_g/V \[rad/s\] of the air, nose-up positive, from the rate of w_g \[m/s²\] and V \[m/s\].
-///
-/// The aerodynamics see q − q_g. Zero if that is no finite number.
-pub fn gust_pitch_rate(w_g_rate: f64, speed: f64) -> f64 {
-    let q_g = -w_g_rate / speed;
-    if q_g.is_finite() { q_g } else { 0.0 }
-}
-
-/// Yaw rate r_g = v̇_g/V \[rad/s\] of the air, nose-right positive, from the rate of v_g \[m/s²\] and V \[m/s\].
-///
-/// The aerodynamics see r − r_g. Zero if that is no finite number.
-pub fn gust_yaw_rate(v_g_rate: f64, speed: f64) -> f64 {
-    let r_g = v_g_rate / speed;
-    if r_g.is_finite() { r_g } else { 0.0 }
-}
-
 /// Lengths \[m\] and intensities \[m/s\] at 10 to 1000 ft, §3.7.3.4.
 fn low_altitude(height_ft: f64, severity: Severity) -> ([f64; 3], [f64; 3]) {
     let ground = 0.177 + 0.000823 * height_ft;

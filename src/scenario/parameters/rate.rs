@@ -5,7 +5,7 @@ use nalgebra::Matrix4;
 use super::{Parameter, Place};
 use crate::flight::aircraft::edits::Edited;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::real::{Dual64, with_parameter};
+use crate::flight::aircraft::real::{Dual64, seeded};
 use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Study};
 use crate::flight::modes::sensitivity::entry_rate;
 
@@ -13,29 +13,29 @@ impl Parameter {
     /// ∂A/∂p of a plane; zero of a parameter that doesn't enter it.
     pub(in crate::scenario) fn matrix_rate(&self, edited: &Edited, plane: Plane) -> Option<Matrix4<f64>> {
         let rate = match self.place {
-            Place::LongitudinalCoefficient(of) => of_coefficients(edited, plane, |given, seeded| {
-                seeded.coefficients.longitudinal = with_parameter(&given.coefficients.longitudinal, of);
+            Place::LongitudinalCoefficient(of) => of_coefficients(edited, plane, |given, dual| {
+                dual.coefficients.longitudinal = seeded(&given.coefficients.longitudinal, of);
                 Some(())
             }),
-            Place::LateralCoefficient(of) => of_coefficients(edited, plane, |given, seeded| {
+            Place::LateralCoefficient(of) => of_coefficients(edited, plane, |given, dual| {
                 let lateral = given.coefficients.lateral.as_ref()?;
-                seeded.coefficients.lateral = Some(with_parameter(lateral, of));
+                dual.coefficients.lateral = Some(seeded(lateral, of));
                 Some(())
             }),
-            Place::Knob(of) => of_coefficients(edited, plane, |given, seeded| {
-                seeded.knobs = with_parameter(&given.knobs, of);
+            Place::Knob(of) => of_coefficients(edited, plane, |given, dual| {
+                dual.knobs = seeded(&given.knobs, of);
                 Some(())
             }),
-            Place::Condition(of) => of_coefficients(edited, plane, |given, seeded| {
-                seeded.condition = with_parameter(&given.condition, of);
+            Place::Condition(of) => of_coefficients(edited, plane, |given, dual| {
+                dual.condition = seeded(&given.condition, of);
                 Some(())
             }),
-            Place::LongitudinalDerivative(of) => of_derivatives(edited, plane, |given, seeded| {
-                seeded.longitudinal = Some(with_parameter(given.longitudinal.as_ref()?, of));
+            Place::LongitudinalDerivative(of) => of_derivatives(edited, plane, |given, dual| {
+                dual.longitudinal = Some(seeded(given.longitudinal.as_ref()?, of));
                 Some(())
             }),
-            Place::LateralDerivative(of) => of_derivatives(edited, plane, |given, seeded| {
-                seeded.lateral = Some(with_parameter(given.lateral.as_ref()?, of));
+            Place::LateralDerivative(of) => of_derivatives(edited, plane, |given, dual| {
+                dual.lateral = Some(seeded(given.lateral.as_ref()?, of));
                 Some(())
             }),
             Place::A(of, row, column, sign) => {
@@ -61,9 +61,9 @@ fn of_coefficients(
     seed: impl FnOnce(&CoefficientStudy, &mut CoefficientStudy<Dual64>) -> Option<()>,
 ) -> Option<Matrix4<f64>> {
     let Study::Coefficients(given) = &edited.study else { return None };
-    let mut seeded = given.at_rest();
-    seed(given, &mut seeded)?;
-    of_models(&edited.offsets.on(seeded.derive().ok()?.derivatives), plane)
+    let mut dual = given.constant();
+    seed(given, &mut dual)?;
+    of_models(&edited.offsets.on(dual.derive().ok()?.derivatives), plane)
 }
 
 /// ∂A/∂p from the derivatives on; `seed` makes one of them the parameter.
@@ -73,9 +73,9 @@ fn of_derivatives(
     seed: impl FnOnce(&DerivativeStudy, &mut DerivativeStudy<Dual64>) -> Option<()>,
 ) -> Option<Matrix4<f64>> {
     let given = edited.derivatives().ok()??;
-    let mut seeded = given.at_rest();
-    seed(&given, &mut seeded)?;
-    of_models(&seeded, plane)
+    let mut dual = given.constant();
+    seed(&given, &mut dual)?;
+    of_models(&dual, plane)
 }
 
 fn of_models(study: &DerivativeStudy<Dual64>, plane: Plane) -> Option<Matrix4<f64>> {
