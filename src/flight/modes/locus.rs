@@ -1,7 +1,8 @@
 //! Root locus: the path of all four poles as one parameter goes through its range.
 //!
-//! Poles are followed from sample to sample, and solved for anew where two meet. Samples are set where the poles move most, and branches are followed by matching each set of poles to the next as
-//! a whole, so that a branch goes through a meeting of two poles without a jump.
+//! Poles are followed from sample to sample, and solved for anew where two meet. Samples are set where the poles move most, and
+//! branches are followed by matching each set of poles to the next as a whole, so that a branch goes through a meeting of two poles
+//! without a jump.
 
 use std::collections::BinaryHeap;
 
