@@ -140,7 +140,7 @@ fn a_slider_at_its_end_is_named() {
         assert!(value == *range.start() || value == *range.end(), "{}: {value}", p.key);
     }
     let sentence = placed.obstacle.expect("an obstacle").to_string();
-    assert!(sentence.contains("C_mα") && sentence.contains("end of"), "{sentence}");
+    assert!(sentence.contains("C_mα") && sentence.contains(" at the end"), "{sentence}");
 }
 
 #[test]
@@ -192,7 +192,7 @@ fn derivatives_that_have_no_part_in_a_mode_or_are_not_there_are_refused() {
     assert_eq!(refusal(&[]), PlacementError::NothingChosen);
     assert_eq!(refusal(&["no such key"]), PlacementError::NothingChosen);
     let sentence = refusal(&["cm_de", "cn_beta"]).to_string();
-    assert_eq!(sentence, "C_mδe and C_nβ have no part in this mode: choose another");
+    assert_eq!(sentence, "C_mδe and C_nβ have no part in this mode: choose others");
 }
 
 #[test]

@@ -214,7 +214,7 @@ fn an_overdamped_short_period_is_judged_on_both_of_its_cards() {
     open(&mut harness, "v=1&ac=navion&cm_q=-30&cm_alpha=-0.1");
     harness.get_by_label("Level of the fast root of the short period").click();
     harness.run();
-    let both = harness.query_all_by_label_contains("its two real roots taken as one motion").count();
+    let both = harness.query_all_by_label_contains("Its two real roots are taken as one motion").count();
     assert!(both >= 4, "two criteria on either card: {both}");
 }
 

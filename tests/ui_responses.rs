@@ -137,8 +137,8 @@ fn a_legend_names_every_line_that_is_drawn_and_no_other() {
         assert_eq!(legend(&harness), all);
         harness.get_by_role_and_label(Role::Button, "Frequency").click();
         harness.run();
-        let frequency = "Legend: linear, full line; pinned, dashed; ωₙ of Short period, upright line; \
-                         ωₙ of Phugoid, upright line";
+        let frequency = "Legend: linear, full line; pinned, dashed; ωₙ of the short period, upright line; \
+                         ωₙ of the phugoid, upright line";
         assert_eq!(legend(&harness), frequency);
         let node = harness.get_by_label(frequency).rect();
         assert!(node.left() >= 0.0 && node.right() <= size.x, "{size}: {node}");
@@ -152,7 +152,7 @@ fn a_legend_names_every_line_that_is_drawn_and_no_other() {
 fn over_frequency_a_growing_mode_has_no_peak_but_a_warning() {
     let mut harness = page(WIDE);
     open(&mut harness, "v=1&ac=navion&cm_q=9.96&cl_alpha=2&tab=frequency");
-    harness.get_by_label_contains("Short period grows: no steady oscillation ever answers a sine");
+    harness.get_by_label_contains("The short period grows: no steady oscillation ever answers a sine");
     assert_eq!(harness.query_all_by_label_contains(" peak: ").count(), 0);
     open(&mut harness, "v=1&ac=navion&tab=frequency");
     assert_eq!(harness.query_all_by_label_contains("grows: ").count(), 0);

@@ -45,19 +45,14 @@ pub struct Placed {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Obstacle {
     /// Sliders are at their ends.
-    #[error("{} at the end of {} slider{}", among(.0), if .0.len() == 1 { "its" } else { "their" }, if .0.len() == 1 { "" } else { "s" })]
     Ends(Vec<&'static Parameter>),
     /// The pair would come to the real axis, where it is no pair any more.
-    #[error("this pair would meet on the real axis and part into two real roots")]
     RealAxis,
     /// The real root comes to another.
-    #[error("here it meets another real root; beyond, the two are an oscillation")]
     Meeting,
     /// One derivative moves a pole along one line.
-    #[error("{} alone moves this pole along one path: choose another derivative with it", plain(.0.symbol))]
     OnePath(&'static Parameter),
     /// The nearest place.
-    #[error("no mix of {} brings this pole nearer", list(.0))]
     Nearest(Vec<&'static Parameter>),
 }
 
@@ -65,35 +60,11 @@ pub enum Obstacle {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PlacementError {
     /// No derivative is chosen that this aircraft has.
-    #[error("no derivative is chosen for it to move")]
     NothingChosen,
     /// The chosen ones don't move it.
-    #[error("{} no part in this mode: choose another", takes(.0))]
     NothingMoves(Vec<&'static Parameter>),
     /// The core has no answer.
-    #[error(transparent)]
     Inverse(#[from] InverseError),
-}
-
-fn plain(symbol: &str) -> String {
-    symbol.replace(['{', '}'], "")
-}
-
-/// "C_mα", "C_mα and C_mq", "C_mα, C_mq and C_Lα".
-fn list(parameters: &[&'static Parameter]) -> String {
-    let symbols: Vec<String> = parameters.iter().map(|p| plain(p.symbol)).collect();
-    match symbols.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        _ => symbols.concat(),
-    }
-}
-
-fn among(parameters: &[&'static Parameter]) -> String {
-    format!("{} {}", list(parameters), if parameters.len() == 1 { "is" } else { "are" })
-}
-
-fn takes(parameters: &[&'static Parameter]) -> String {
-    format!("{} {}", list(parameters), if parameters.len() == 1 { "has" } else { "have" })
 }
 
 impl Scenario {

@@ -10,6 +10,8 @@
 //! | `errors` | why something can't be had: `Display` of the errors |
 //! | [`mode`] | names of modes |
 //! | [`naming`] | the reason for a name |
+//! | `notice` | what was left out of a link |
+//! | `placement` | why a dragged pole stops |
 //! | [`refusal`] | why a typed value was refused |
 //! | [`stability`] | the verdicts on a plane as a whole |
 //! | [`verdict`] | levels of handling qualities and their verdicts |
@@ -18,6 +20,8 @@ pub mod approximation;
 mod errors;
 pub mod mode;
 pub mod naming;
+mod notice;
+mod placement;
 pub mod refusal;
 pub mod stability;
 pub mod verdict;

@@ -1,9 +1,6 @@
 //! What was left out of a link, in sentences for the person who opened it.
 
-use std::fmt;
-
 use super::super::{Parameter, ValueError};
-use super::LONGEST;
 use crate::content::Aircraft;
 
 /// Something of a link that could not be used.
@@ -87,49 +84,6 @@ pub enum Notice {
 impl Notice {
     pub(super) fn not_of(parameter: &Parameter, aircraft: &Aircraft) -> Self {
         Self::NotOf { name: parameter.name, aircraft: aircraft.name.clone() }
-    }
-}
-
-impl fmt::Display for Notice {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Newer => f.write_str(
-                "This link was made by a newer version of Eigenwing: what this one doesn't know is left out.",
-            ),
-            Self::Version { text } => {
-                write!(f, "The link's version “{text}” can't be read; it was opened as version 1.")
-            }
-            Self::TooLong => {
-                write!(f, "The link is too long: all after its first {LONGEST} characters was left out.")
-            }
-            Self::Unknown { key } => write!(f, "“{key}” means nothing to this version and was left out."),
-            Self::Twice { key } => {
-                write!(f, "“{key}” stands in the link more than once: the last one counts.")
-            }
-            Self::Word { key, word } => {
-                write!(f, "“{key}={word}” was left out: “{word}” isn't one of its words.")
-            }
-            Self::Value { key, name, error } => write!(f, "The {name} ({key}) was left out: {error}."),
-            Self::NotOf { name, aircraft } => {
-                write!(f, "The {name} was left out: the data of {aircraft} don't have it.")
-            }
-            Self::NoFlight { name } => {
-                write!(f, "The {name} was left out: it follows from a steady flight, and this one can't be.")
-            }
-            Self::Aircraft { key, instead, edited } => {
-                let changes = if *edited { ", without the changes made to it" } else { "" };
-                write!(f, "There is no aircraft “{key}” here: this is {instead} instead{changes}.")
-            }
-            Self::Ghost { key } => {
-                write!(f, "The pinned state was left out: there is no aircraft “{key}” here.")
-            }
-            Self::Plane { aircraft } => {
-                write!(f, "Lateral motion was left out: {aircraft} has no data for it.")
-            }
-            Self::Page { page, aircraft } => {
-                write!(f, "The page “{page}” was left out: {aircraft} doesn't have it.")
-            }
-        }
     }
 }
 

@@ -24,10 +24,21 @@ const FARTHEST: f32 = 90.0;
 #[derive(Debug, Default)]
 pub(super) struct Labels(Vec<Label>);
 
+/// What stands after a symbol.
+#[derive(Clone, Debug)]
+pub(super) enum Words {
+    /// Nothing.
+    None,
+    /// A name, for which a small pane has no room.
+    Name(&'static str),
+    /// A number with its unit.
+    Value(String),
+}
+
 #[derive(Debug)]
 struct Label {
     symbol: String,
-    words: String,
+    words: Words,
     color: Color32,
     at: Pos2,
     /// Where it stands, seen from there.
@@ -36,9 +47,8 @@ struct Label {
 
 impl Labels {
     /// A symbol, words after it, and where it stands: beside a point, in a direction.
-    pub fn add(&mut self, symbol: &str, words: &str, color: Color32, at: Pos2, towards: Vec2) {
-        let (symbol, words) = (symbol.to_owned(), words.to_owned());
-        self.0.push(Label { symbol, words, color, at, towards });
+    pub fn add(&mut self, symbol: &str, words: Words, color: Color32, at: Pos2, towards: Vec2) {
+        self.0.push(Label { symbol: symbol.to_owned(), words, color, at, towards });
     }
 
     /// Draws all of them, the first at their own places and the others where there is room, beside the aircraft rather than on
@@ -134,12 +144,17 @@ impl Silhouette {
 }
 
 impl Label {
-    /// Of a small pane's labels only the symbols, and the numbers, which have a symbol each.
+    /// Symbol and words; without a name in a small pane.
     fn job(&self, is_small: bool) -> LayoutJob {
         let mut job = Symbol::parse(&self.symbol).job(SIZE, self.color);
-        if !(self.words.is_empty() || is_small && self.words.starts_with(char::is_alphabetic)) {
+        let words = match &self.words {
+            Words::None => None,
+            Words::Name(name) => (!is_small).then_some(*name),
+            Words::Value(value) => Some(value.as_str()),
+        };
+        if let Some(words) = words {
             let gap = if self.symbol.is_empty() { 0.0 } else { 4.0 };
-            job.append(&self.words, gap, TextFormat::simple(FontId::proportional(0.88 * SIZE), self.color));
+            job.append(words, gap, TextFormat::simple(FontId::proportional(0.88 * SIZE), self.color));
         }
         job
     }

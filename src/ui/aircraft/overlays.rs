@@ -5,7 +5,7 @@ use nalgebra::Rotation3;
 
 use super::arrows::{Pen, Tip, arc, plain, straight};
 use super::camera::Lens;
-use super::labels::Labels;
+use super::labels::{Labels, Words};
 use super::landscape::stroke;
 use super::picture::{Axis, Picture, degrees, finite, point};
 use crate::scenario::link::Overlays;
@@ -83,14 +83,14 @@ impl Easel<'_> {
         Pen { color, width, halo: self.palette.pane.gamma_multiply(0.55), is_dashed: false }
     }
 
-    fn name(&mut self, tip: Option<Tip>, symbol: &str, words: &str, color: Color32) {
+    fn name(&mut self, tip: Option<Tip>, symbol: &str, words: Words, color: Color32) {
         if let Some(Tip { at, towards }) = tip {
             self.labels.add(symbol, words, color, at, towards);
         }
     }
 
     /// An arrow from the centre of gravity, in Earth axes.
-    fn arrow(&mut self, along: Point, (color, width): (Color32, f32), (symbol, words): (&str, &str)) {
+    fn arrow(&mut self, along: Point, (color, width): (Color32, f32), (symbol, words): (&str, Words)) {
         let pen = self.pen(color, width);
         let tip = straight(self.painter, &self.lens, pen, Point::zeros(), along);
         self.name(tip, symbol, words, color);
@@ -109,7 +109,7 @@ impl Easel<'_> {
         }
         let pen = self.pen(color, 1.6);
         let tip = arc(self.painter, &self.lens, pen, frame, finite(angle));
-        self.name(tip, symbol, &degrees(own), color);
+        self.name(tip, symbol, Words::Value(degrees(own)), color);
     }
 
     /// Everything that is chosen.
@@ -141,7 +141,7 @@ impl Easel<'_> {
         let axes = [(Axis::X, "x"), (Axis::Y, "y"), (Axis::Z, "z")];
         for ((axis, symbol), color) in axes.into_iter().zip(self.palette.axes) {
             let (along, ..) = self.frame(axis);
-            self.arrow(along * self.axis_length(axis), (color, 1.8), (symbol, ""));
+            self.arrow(along * self.axis_length(axis), (color, 1.8), (symbol, Words::None));
         }
     }
 
@@ -150,7 +150,7 @@ impl Easel<'_> {
         let length = EARTH_AXIS * self.radius();
         let axes = [Point::x(), Point::y(), Point::z()];
         for (axis, symbol) in axes.iter().zip(["x_E", "y_E", "z_E"]) {
-            self.arrow(axis * length, (color, 1.4), (symbol, ""));
+            self.arrow(axis * length, (color, 1.4), (symbol, Words::None));
         }
     }
 
@@ -197,7 +197,7 @@ impl Easel<'_> {
         let y = self.rotation * Point::y();
         let (sin, cos) = finite(beta).sin_cos();
         let velocity = in_plane * cos + y * sin;
-        self.arrow(velocity * r, (color, 2.4), ("V", ""));
+        self.arrow(velocity * r, (color, 2.4), ("V", Words::None));
         let arc = FLOW_ARC * self.nose();
         self.angle((Point::zeros(), x * arc, z * arc), (alpha, figures.alpha), "α", color);
         if beta.abs() >= SMALLEST_ANGLE {
@@ -212,10 +212,10 @@ impl Easel<'_> {
         let all = [forces.lift, forces.weight, forces.thrust, forces.drag];
         let names = [("L", "lift"), ("W", "weight"), ("T", "thrust"), ("D", "drag")];
         let unit = WEIGHT * self.radius();
-        for ((force, name), color) in all.into_iter().zip(names).zip(self.palette.forces) {
+        for ((force, (symbol, name)), color) in all.into_iter().zip(names).zip(self.palette.forces) {
             let along = self.rotation * point(force) * unit;
             if along.norm() > 0.01 * unit {
-                self.arrow(along, (color, 3.4), name);
+                self.arrow(along, (color, 3.4), (symbol, Words::Name(name)));
             }
         }
     }
@@ -237,7 +237,7 @@ impl Easel<'_> {
             let pen = self.pen(color, 2.2);
             let frame = (along * (0.85 * length), from * r, to * r);
             let tip = arc(self.painter, &self.lens, pen, frame, finite(turn));
-            self.name(tip, symbol, &format!("{}/s", degrees(rate)), color);
+            self.name(tip, symbol, Words::Value(format!("{}/s", degrees(rate))), color);
         }
     }
 
@@ -256,7 +256,7 @@ impl Easel<'_> {
             let pen = self.pen(moment.color, 3.4);
             let tip =
                 arc(self.painter, &self.lens, pen, (Point::zeros(), from * r, to * r), FULL_MOMENT * size);
-            self.name(tip, moment.symbol, "", moment.color);
+            self.name(tip, moment.symbol, Words::None, moment.color);
         }
     }
 
