@@ -49,7 +49,7 @@ fn every_verified_plane_reproduces_every_published_number() {
             }
         }
     }
-    assert!(numbers >= 90, "only {numbers} numbers were compared");
+    assert!(numbers >= 85, "only {numbers} numbers were compared");
 }
 
 #[test]
@@ -102,6 +102,8 @@ fn every_needed_aircraft_ships_with_its_status() {
         ("x15", true),
         ("c47", true),
         ("bristol-f2b", true),
+        ("navion-nelson", false),
+        ("b747-cruise-etkin", false),
         ("cessna-172", false),
         ("cherokee-180", false),
         ("lesson", false),
@@ -112,6 +114,25 @@ fn every_needed_aircraft_ships_with_its_status() {
         assert!(!aircraft.status_reason.is_empty() && !aircraft.source.is_empty());
         assert_eq!(aircraft.plane_notes.lateral.is_some(), !key.starts_with("lesson"), "{key}");
     }
+}
+
+/// One rule for all: what was quoted from memory verifies nothing, be it the data or the modes.
+#[test]
+fn nothing_from_memory_is_verified() {
+    let mut quoted = Vec::new();
+    for aircraft in all() {
+        for plane in PLANES {
+            let Some(notes) =
+                aircraft.plane_notes[plane].as_ref().filter(|notes| notes.status_reason.contains("memory"))
+            else {
+                continue;
+            };
+            assert_eq!(notes.status, Status::Unverified, "{}", aircraft.key);
+            quoted.push(aircraft.key.clone());
+        }
+    }
+    quoted.dedup();
+    assert_eq!(quoted, ["navion-nelson", "b747-cruise-etkin"]);
 }
 
 #[test]
@@ -133,7 +154,8 @@ fn validation() -> String {
         "# Published and computed modes\n\n\
          Written by `UPDATE_VALIDATION=1 cargo test --no-default-features --test textbook`; the same test fails when it is \
          out of date.\nThe published numbers and their sources are in `assets/aircraft/*.toml`. A plane is *verified* when \
-         every published number is within 3 %,\nor within the band that half a unit of the last printed digit of every \
+         its numbers and its published modes were\nboth read, in the source or in a transcription of it, nothing from memory, and every \
+         published number is within 3 %, or within the band\nthat half a unit of the last printed digit of every \
          input allows (marked †).\n\n| aircraft | numbers | worst error |\n|---|---|---|\n",
     );
     let mut detail = String::new();

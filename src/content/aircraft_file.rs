@@ -8,8 +8,10 @@ use super::published::read_published;
 use super::reader::{Block, ContentError};
 use super::shapes::{SHAPES, USUAL_SHAPE};
 use super::units::UnitSystem;
+use crate::flight::aircraft::coefficients::Airframe;
+use crate::flight::aircraft::inertia::Inertia;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
-use crate::flight::aircraft::study::{MatrixStudy, Study};
+use crate::flight::aircraft::study::{CoefficientStudy, MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
@@ -51,7 +53,9 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         Basis::Coefficients => coefficient_study(file, units, &mut longitudinal, lateral.as_mut())?,
         Basis::Derivatives => derivative_study(file, units, &mut longitudinal, lateral.as_mut())?,
     };
+    let doubt = inertia_doubt(&study);
     notes.extend(data_notes);
+    notes.extend(doubt.clone());
     longitudinal.finish()?;
     lateral.as_ref().map_or(Ok(()), Block::finish)?;
 
@@ -70,7 +74,9 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         shape,
         length_unit: LengthUnit::Metre,
         status: if verified { Status::Verified } else { Status::Unverified },
-        status_reason: joined(plane_notes.iter().flatten().map(|plane| plane.status_reason.as_str())),
+        status_reason: joined(
+            plane_notes.iter().flatten().map(|plane| plane.status_reason.as_str()).chain(doubt.as_deref()),
+        ),
         source,
         baseline: Baseline::new(&study),
         study,
@@ -79,6 +85,25 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         class,
         phase,
         notes,
+    })
+}
+
+/// Said of moments of inertia that no rigid body has; their limit, a body that is flat, is one of them.
+fn inertia_doubt(study: &Study) -> Option<String> {
+    let inertia = match study {
+        Study::Coefficients(CoefficientStudy { airframe: Airframe { ix, iy, iz, ixz, .. }, .. }) => {
+            Inertia { ix: *ix, iy: *iy, iz: *iz, ixz: *ixz }
+        }
+        Study::Derivatives(study) => study.inertia?,
+        Study::Matrices(_) => return None,
+    };
+    let flatness = inertia.flatness();
+    (flatness > 1.0 - 1e-6).then(|| {
+        format!(
+            "No rigid body has these moments of inertia: the largest about a principal axis is {:.0} % of the sum of the other two, \
+             and in every body it is less.",
+            100.0 * flatness
+        )
     })
 }
 

@@ -28,6 +28,53 @@ const AXES: [(&str, Axes); 2] = [("stability", Axes::Stability), ("body", Axes::
 const INERTIA_AXES: [(&str, InertiaAxes); 2] =
     [("body", InertiaAxes::Body), ("stability", InertiaAxes::Stability)];
 
+/// What an aircraft does for a positive control as its source prints it, and whether that is our own sense.
+const AILERONS: [(&str, bool); 2] = [("rolls right", true), ("rolls left", false)];
+const RUDDERS: [(&str, bool); 2] = [("nose left", true), ("nose right", false)];
+
+/// Factors on derivatives by aileron and rudder that turn the senses of a source into ours, with a remark for each that is turned.
+struct Senses {
+    aileron: f64,
+    rudder: f64,
+    remarks: Vec<String>,
+}
+
+impl Senses {
+    fn read(lateral: &mut Block<'_>) -> Result<Self, ContentError> {
+        let [aileron, rudder] =
+            [lateral.choice("positive_aileron", &AILERONS)?, lateral.choice("positive_rudder", &RUDDERS)?];
+        let turned = [
+            (
+                aileron,
+                "The source’s positive aileron rolls to the left; here it is counted the other way, right wing down.",
+            ),
+            (
+                rudder,
+                "The source’s positive rudder turns the nose right; here it is counted the other way, trailing edge left.",
+            ),
+        ];
+        let factor = |is_ours: bool| if is_ours { 1.0 } else { -1.0 };
+        Ok(Self {
+            aileron: factor(aileron),
+            rudder: factor(rudder),
+            remarks: turned
+                .iter()
+                .filter(|(is_ours, _)| !is_ours)
+                .map(|(_, text)| (*text).to_owned())
+                .collect(),
+        })
+    }
+
+    /// The factor on the derivative with this key, as in "Cl_da", "Ldr" or "Ydr_star".
+    fn factor(&self, key: &str) -> f64 {
+        match key.trim_end_matches("_star") {
+            key if key.ends_with("da") => self.aileron,
+            key if key.ends_with("dr") => self.rudder,
+            _ => 1.0,
+        }
+    }
+}
+
 /// Time unit of pitch rates in a source: c̄/2V, or c̄/V, which halves the coefficient.
 const RATES: [(&str, f64); 2] = [("c/2V", 1.0), ("c/V", 2.0)];
 
@@ -126,16 +173,17 @@ pub(super) fn coefficient_study(
     for number in [&mut l.cl_q, &mut l.cm_q, &mut l.cl_alphadot, &mut l.cm_alphadot] {
         *number *= per_half_time;
     }
-    let coefficients = Coefficients {
-        longitudinal: l,
-        lateral: lateral
-            .map(|block| {
-                let mut c = LateralCoefficients::default();
-                read_fields(block, &mut c, LATERAL_COEFFICIENTS.iter().map(|field| (*field, 1.0)))?;
-                Ok(c)
-            })
-            .transpose()?,
-    };
+    let lateral = lateral
+        .map(|block| {
+            let mut c = LateralCoefficients::default();
+            let senses = Senses::read(block)?;
+            let fields = LATERAL_COEFFICIENTS.iter().map(|field| (*field, senses.factor(field.key)));
+            read_fields(block, &mut c, fields)?;
+            notes.extend(senses.remarks);
+            Ok(c)
+        })
+        .transpose()?;
+    let coefficients = Coefficients { longitudinal: l, lateral };
 
     let air = standard_air(flight.condition.altitude).map_err(|problem| block.error_here(problem))?;
     let sound_speed = flight.mach.map_or(air.sound_speed, |mach| flight.condition.speed / mach);
@@ -258,7 +306,7 @@ pub(super) fn derivative_study(
     };
     let iy = block.optional_positive("Iy")?.map(|iy| iy * units.inertia());
     let inertia = read_inertia(&mut block, units)?;
-    let notes = Vec::from_iter(block.optional_text("source")?);
+    let mut notes = Vec::from_iter(block.optional_text("source")?);
     block.finish()?;
     // Turn the inertia into the axes of the derivatives.
     let inertia = inertia.map(|(inertia, given)| match (given, axes) {
@@ -278,7 +326,14 @@ pub(super) fn derivative_study(
         // Nothing is known of the engine: δt is then the change of T/W, along the x axis.
         d.x_dt = flight.gravity;
     }
-    let lateral = lateral.map(|block| read_lateral(block, length, speed, inertia)).transpose()?;
+    let lateral = lateral
+        .map(|block| {
+            let senses = Senses::read(block)?;
+            let d = read_lateral(block, length, speed, inertia, &senses)?;
+            notes.extend(senses.remarks);
+            Ok(d)
+        })
+        .transpose()?;
     let trim = Trim { speed, alpha0, gamma0, gravity: flight.gravity };
     let inertia = inertia.zip(iy).map(|(PlanarInertia { ix, iz, ixz }, iy)| Inertia { ix, iy, iz, ixz });
     let study = DerivativeStudy { trim, inertia, longitudinal: Some(d), lateral };
@@ -315,6 +370,7 @@ fn read_lateral(
     length: f64,
     speed: f64,
     inertia: Option<PlanarInertia>,
+    senses: &Senses,
 ) -> Result<LateralDerivatives, ContentError> {
     let is_primed = block.choice("form", &[("primed", true), ("unprimed", false)])?;
     let mut d = LateralDerivatives::default();
@@ -331,7 +387,7 @@ fn read_lateral(
             Some(other) if block.has(other.0) => other,
             _ => (row.field.key, row.length_power, 0),
         };
-        let factor = length.powi(length_power) * speed.powi(speed_power);
+        let factor = length.powi(length_power) * speed.powi(speed_power) * senses.factor(key);
         let field = Field { key, ..row.field };
         read_fields(block, &mut d, std::iter::once((field, factor)))?;
     }

@@ -16,7 +16,7 @@
 //! | *δe* | elevator \[rad\], trailing edge down positive; it pitches the nose down, so M_δe < 0 |
 //! | *δt* | throttle: more thrust, as a fraction of the weight where a source says nothing of its engine |
 //! | *δr* | rudder \[rad\], trailing edge left positive; it turns the nose left, so N_δr < 0 |
-//! | *δa* | aileron \[rad\], in the sense of the source: see the sign of L_δa |
+//! | *δa* | aileron \[rad\], right one up positive; it rolls right wing down, so L_δa > 0 |
 //! | *ψ* | heading \[rad\], nose right positive |
 //! | λ | eigenvalue σ ± jω \[1/s\]; σ > 0 grows |
 //!

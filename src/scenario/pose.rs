@@ -205,8 +205,10 @@ impl Flown<'_> {
         match self.motion.model.plane {
             Plane::Longitudinal => [of(Channel::First), 0.0, 0.0],
             Plane::Lateral => {
-                // The source's sense of δa is told by what it does: L_δa > 0 rolls to the right.
-                let sense = self.motion.model.b[(Lateral::P.index(), 0)].signum();
+                // Bare matrices may count δa either way, which is told by what it does: L_δa > 0 rolls to the right.
+                let counted_left = matches!(self.scenario.edited.study, Study::Matrices(_))
+                    && self.motion.model.b[(Lateral::P.index(), 0)] < 0.0;
+                let sense = if counted_left { -1.0 } else { 1.0 };
                 [0.0, sense * of(Channel::First), of(Channel::Second)]
             }
         }

@@ -227,8 +227,6 @@ record!(LongitudinalCoefficients:
 );
 
 /// Lateral–directional coefficients in one trim, stability axes, all per radian.
-///
-/// The sense of a positive aileron is that of the source, seen in the sign of Cl_δa.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LateralCoefficients<T = f64> {
     /// Side force by sideslip ∂CY/∂β, negative.
@@ -251,7 +249,7 @@ pub struct LateralCoefficients<T = f64> {
     pub cn_r: T,
     /// ∂CY/∂δa.
     pub cy_da: T,
-    /// Aileron power ∂Cl/∂δa.
+    /// Aileron power ∂Cl/∂δa, positive: the right aileron up rolls right wing down.
     pub cl_da: T,
     /// Adverse (or proverse) yaw ∂Cn/∂δa.
     pub cn_da: T,

@@ -74,7 +74,7 @@ pub struct LateralDerivatives<T = f64> {
     pub l_p: T,
     /// Lr \[1/s\], positive.
     pub l_r: T,
-    /// Aileron power L_δa \[1/s²\].
+    /// Aileron power L_δa \[1/s²\], positive: the right aileron up rolls right wing down.
     pub l_da: T,
     /// L_δr \[1/s²\].
     pub l_dr: T,

@@ -30,4 +30,13 @@ impl Inertia {
         let determinant = ix * iz - ixz * ixz;
         [(roll * iz + yaw * ixz) / determinant, pitch / iy, (roll * ixz + yaw * ix) / determinant]
     }
+
+    /// The largest principal moment over the sum of the other two: below 1 in every body, 1 in one that is flat.
+    pub fn flatness(&self) -> f64 {
+        let Self { ix, iy, iz, ixz } = *self;
+        // About x and z: ½ (Ix + Iz) ± ½ √((Ix − Iz)² + 4 Ixz²)
+        let (sum, difference) = (ix + iz, (ix - iz).hypot(2.0 * ixz));
+        let (large, small) = (0.5 * (sum + difference), 0.5 * (sum - difference));
+        (iy / sum).max(large / (iy + small))
+    }
 }

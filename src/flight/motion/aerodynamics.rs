@@ -21,7 +21,7 @@ pub struct Controls<T = f64> {
     pub elevator: T,
     /// δt, more thrust positive.
     pub throttle: T,
-    /// δa \[rad\], in the sense of the source.
+    /// δa \[rad\], right aileron up positive.
     pub aileron: T,
     /// δr \[rad\], trailing edge left positive.
     pub rudder: T,

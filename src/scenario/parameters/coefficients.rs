@@ -383,8 +383,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         group: Group::Aileron,
         dimension: Dimension::PerRadian,
         meaning: "Moment that rolls to the right for a radian of aileron.",
-        sign: "Its sign tells which way the source counts the aileron: positive, and positive aileron rolls \
-            right. It moves no pole.",
+        sign: "Positive: the aileron is counted so that the right one up rolls right wing down. It moves no pole.",
         origin: "Aileron area times its distance from the axis.",
         place: Place::LateralCoefficient(|c| &mut c.cl_da),
         extent: Extent::Relative { low: -3.0, high: 3.0, floor: 0.05 },

@@ -409,8 +409,7 @@ pub(super) const ROWS: [Parameter; 32] = [
         group: Group::Aileron,
         dimension: Dimension::PerSecondSquared,
         meaning: "Rolling moment over Ix, right wing down, for a radian of aileron.",
-        sign: "Its sign tells which way the source counts the aileron: positive, and positive aileron rolls \
-            right. It moves no pole.",
+        sign: "Positive: the aileron is counted so that the right one up rolls right wing down. It moves no pole.",
         origin: "Aileron area times its distance from the axis.",
         place: Place::LateralDerivative(|d| &mut d.l_da),
         extent: Extent::Relative { low: -3.0, high: 3.0, floor: 0.5 },

@@ -430,8 +430,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         dimension: Dimension::PerSecondSquared,
         meaning: "Moment that rolls to the right for a radian of aileron. The prime: the product of inertia \
             is folded in.",
-        sign: "Its sign tells which way the source counts the aileron: positive, and positive aileron rolls \
-            right. It moves no pole.",
+        sign: "Positive: the aileron is counted so that the right one up rolls right wing down. It moves no pole.",
         origin: "Aileron area times its distance from the axis.",
         place: Place::B(Plane::Lateral, 1, 0),
         extent: Extent::Relative { low: -3.0, high: 3.0, floor: 0.5 },
