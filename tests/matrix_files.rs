@@ -4,6 +4,13 @@
 use eigenwing::content::{Aircraft, MatrixFormat};
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
 use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::modes::mode::{Mode, modes};
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::flight::modes::stability::Stability;
+use eigenwing::flight::motion::frequency_response::{frequency_response, peaks};
+use eigenwing::flight::motion::inputs::Input;
+use eigenwing::flight::motion::outputs::Output;
+use eigenwing::flight::motion::response::Forced;
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 /// The Navion in metres (Teper, NASA CR-96008), rounded: what every form below says.
@@ -280,4 +287,82 @@ fn no_cut_or_changed_file_panics() {
             }
         }
     }
+}
+
+fn good(text: &str, format: MatrixFormat) -> Aircraft {
+    read(text, format).expect("it reads")
+}
+
+/// As this program prints its numbers, and as a PDF gives them.
+#[test]
+fn a_true_minus_sign_is_a_minus_wherever_numbers_are_good() {
+    let dashed = |text: &str| {
+        let mut dashed = text.replace("-0", "−0").replace("-1", "−1").replace("-2", "−2").replace("-9", "−9");
+        dashed = dashed.replace("-8", "−8");
+        assert_ne!(dashed, text);
+        dashed
+    };
+    for (text, format) in [(JSON, MatrixFormat::Json), (CSV, MatrixFormat::Csv)] {
+        assert_eq!(good(&dashed(text), format).study, good(text, format).study, "{format:?}");
+    }
+    let matlab = "% units: SI\n% speed: 53.64\n% states: u w q theta\nA = [ −0.0451  0.0362   0      −9.80665\n\
+                  −0.3695 −2.0232  53.64    0\n 0.0063 −1.639e−1  −2.9857  0\n 0 0 1 0 ];\n";
+    let hyphens = matlab.replace('−', "-");
+    assert_eq!(good(matlab, MatrixFormat::Matlab).study, good(&hyphens, MatrixFormat::Matlab).study);
+}
+
+const LATERAL: &str = "units,SI\nspeed,15.0217778\nalpha0_deg,8.79\n,beta,p,r,phi\nbeta,-0.1159,0.152813,-0.988255,0.645382\n\
+                       p,-29.893804,-12.319098,4.109427,0\nr,9.800289,-1.301559,-0.144123,0\nphi,0,1,0.154629,0\n";
+
+/// A small unmanned aircraft: its first row as the rate of an angle, as it should be, and multiplied by the speed; and a 747 in
+/// feet that are called metres.
+#[test]
+fn units_that_cannot_be_are_told_of_lateral_matrices_too() {
+    assert_eq!(good(LATERAL, MatrixFormat::Csv).notes, Vec::<String>::new());
+    let times_speed = LATERAL
+        .replace("beta,-0.1159,0.152813,-0.988255,0.645382", "beta,-0.1159,2.295528,-14.845348,9.694782");
+    let [note] = good(&times_speed, MatrixFormat::Csv).notes.try_into().expect("one remark");
+    assert!(note.contains("row of v under the name of β") && note.contains("15.0 times"), "{note}");
+    let feet = "units,SI\nspeed,660\n,v,p,r,phi\nv,-0.0829,0,-660,32.2\np,-0.0068939,-1.7,0.172,0\n\
+                r,0.0051212,-0.0654,-0.0893,0\nphi,0,1,0,0\n";
+    let [note] = good(feet, MatrixFormat::Csv).notes.try_into().expect("one remark");
+    assert!(note.contains("A(v, φ) is 32.20 m/s², where g cos θ₀ is 9.807 m/s²"), "{note}");
+    assert_eq!(good(&feet.replace("SI", "ft-slug-s"), MatrixFormat::Csv).notes, Vec::<String>::new());
+}
+
+fn modes_in(aircraft: &Aircraft, plane: Plane) -> Vec<Mode> {
+    let models = aircraft.study.models().expect("models");
+    modes(models.planes[plane].as_ref().expect("data")).expect("modes")
+}
+
+/// Both moments by sideslip forgotten: λ = 0, which is neither slow nor a rounding.
+#[test]
+fn a_root_at_zero_is_zero_and_the_bank_stays() {
+    let text = "units,ft-slug-s\nspeed,660\n,v,p,r,phi\nv,-0.0829,0,-660,32.2\np,0,-1.7,0.172,0\nr,0,-0.0654,-0.0893,0\nphi,0,1,0,0\n";
+    let modes = modes_in(&good(text, MatrixFormat::Csv), Plane::Lateral);
+    let neutral: Vec<&Mode> = modes.iter().filter(|mode| mode.stability == Stability::Neutral).collect();
+    assert_eq!(neutral.len(), 1);
+    assert_eq!((neutral[0].lambda.re, neutral[0].lambda.im), (0.0, 0.0));
+    let reason = &neutral[0].naming.reason;
+    assert!(reason.contains("the bank stays as it is") && !reason.contains("come level"), "{reason}");
+}
+
+/// λ = ±0.2828 j: ζ is 0, and the resonance has no bound.
+#[test]
+fn an_undamped_phugoid_has_no_damping_and_a_peak_without_bound() {
+    let text = r#"{"units": "SI", "speed": 50, "states": ["u", "w", "q", "theta"], "inputs": ["elevator"],
+        "A": [[0, 0, 0, -10], [-0.2368, -2, 50, 0], [0.04, -0.2, -3, 0], [0, 0, 1, 0]], "B": [[0], [0], [-10], [0]]}"#;
+    let aircraft = good(text, MatrixFormat::Json);
+    let modes = modes_in(&aircraft, Plane::Longitudinal);
+    let phugoid = modes.iter().find(|mode| mode.naming.name == ModeName::Phugoid).expect("a phugoid");
+    assert_eq!((phugoid.lambda.re, phugoid.damping_ratio()), (0.0, Some(0.0)));
+    assert!((phugoid.lambda.im - 0.282_843).abs() < 1e-6);
+    let model = aircraft.study.models().expect("models").planes.longitudinal.expect("data");
+    let unit = Input::Step { amplitude: 1.0, start: 0.0 };
+    let forced = Forced::from_rest(model.a, model.b.column(0).into_owned(), unit);
+    let row = Output::PitchAngle.row(&model, &forced);
+    let points = frequency_response(&forced, &row, 0, (0.01, 100.0), 400);
+    let found = peaks(&forced, &row, 0, &points, &modes);
+    let peak = found.iter().find(|peak| peak.mode == ModeName::Phugoid).expect("its peak");
+    assert_eq!((peak.gain, peak.frequency), (None, phugoid.lambda.im));
 }

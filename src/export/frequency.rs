@@ -93,8 +93,8 @@ pub struct GainPeak {
     pub mode: &'static str,
     /// Its angular frequency \[rad/s\], to seven digits or so: a maximum is flat.
     pub frequency: f64,
-    /// Gain there.
-    pub gain: f64,
+    /// Gain there; null where it has no bound, at an oscillation that neither dies away nor grows.
+    pub gain: Option<f64>,
 }
 
 const POINTS: usize = 400;

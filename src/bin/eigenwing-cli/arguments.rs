@@ -152,6 +152,8 @@ impl Output {
 
 fn setting(text: &str) -> Result<(String, f64), String> {
     let (key, value) = text.split_once('=').ok_or("expected KEY=VALUE")?;
-    let value = value.trim().parse().map_err(|_| format!("\"{}\" is not a number", value.trim()))?;
+    // A minus sign as the tables print it.
+    let value = value.trim();
+    let value = value.replace('−', "-").parse().map_err(|_| format!("\"{value}\" is not a number"))?;
     Ok((key.trim().to_owned(), value))
 }

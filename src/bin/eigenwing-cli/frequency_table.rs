@@ -23,8 +23,11 @@ pub fn frequency(report: &FrequencyReport) -> String {
         text += "No peak: no oscillation of this output stands out.\n";
     }
     for peak in &report.peaks {
-        let (gain, at) = (number(peak.gain), number(peak.frequency));
-        text += &format!("{} peak: {gain} {gain_unit} at {at} rad/s\n", peak.mode);
+        let at = number(peak.frequency);
+        text += &match peak.gain {
+            Some(gain) => format!("{} peak: {} {gain_unit} at {at} rad/s\n", peak.mode, number(gain)),
+            None => format!("{} peak: without bound at {at} rad/s\n", peak.mode),
+        };
     }
     text
 }

@@ -9,6 +9,7 @@ use crate::content::units::UnitSystem;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
+use crate::number::significant;
 
 /// A line, counted from 1, and what is wrong there.
 pub(super) type Problem = (usize, String);
@@ -198,7 +199,7 @@ impl Draft {
             return Err((line, format!("A: {problem}")));
         }
         let name = self.text("name")?.map_or(file, |name| name.value);
-        Ok(aircraft(file, name, plane, study, trim.speed))
+        Ok(Aircraft { notes: doubts, ..aircraft(file, name, plane, study, trim.speed) })
     }
 
     fn units(&self) -> Result<UnitSystem, Problem> {
@@ -323,6 +324,49 @@ impl Draft {
         let line = self.find("A").map_or(1, |entry| entry.line);
         if holds { Ok(()) } else { Err((line, format!("A: {expected}; is the order of the states right?"))) }
     }
+}
+
+/// How far an entry may be from what it stands for, either way: a climb, rounding and Y_r let through, no confusion of units.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
+
+/// The v row of A says g cos θ₀ φ and −U₀ r, whatever the aircraft: a sentence for each that this file says otherwise.
+fn lateral_doubts(model: &PlaneModel) -> Vec<String> {
+    let trim = &model.trim;
+    let [turn, weight] = [-model.a[(0, 2)], model.a[(0, 3)]];
+    let (speed, fall) = (trim.u0(), trim.gravity * trim.theta0().cos());
+    let [of_turn, of_weight] = [turn / speed, weight / fall];
+    let is_plausible = |share: f64| PLAUSIBLE.contains(&share);
+    if is_plausible(of_turn) && is_plausible(of_weight) {
+        return Vec::new();
+    }
+    if (of_turn / of_weight - 1.0).abs() < 0.5 && of_weight > 0.0 {
+        // Both by the same factor: the row is one of another state.
+        return vec![format!(
+            "The row of sideslip is {} times what it can be: A(v, r) is −{} m/s beside a speed of {} m/s, A(v, φ) {} m/s² beside \
+             g cos θ₀ of {} m/s². Is it a row of v under the name of β, or of β under that of v?",
+            significant(of_weight, 3),
+            significant(turn, 4),
+            significant(speed, 4),
+            significant(weight, 4),
+            significant(fall, 4)
+        )];
+    }
+    let mut doubts = Vec::new();
+    if !is_plausible(of_weight) {
+        doubts.push(format!(
+            "Gravity and length don’t belong to one unit system: A(v, φ) is {} m/s², where g cos θ₀ is {} m/s². Are feet called metres?",
+            significant(weight, 4),
+            significant(fall, 4)
+        ));
+    }
+    if !is_plausible(of_turn) {
+        doubts.push(format!(
+            "The row of sideslip doesn’t belong to the speed: A(v, r) is {} m/s, where −U₀ is {} m/s.",
+            significant(-turn, 4),
+            significant(-speed, 4)
+        ));
+    }
+    doubts
 }
 
 fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> Aircraft {

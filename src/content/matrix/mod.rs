@@ -48,11 +48,23 @@ impl MatrixFormat {
     }
 }
 
+/// The text with U+2212, a true minus sign as this program prints it, as the hyphen that number readers know; elsewhere than before
+/// a number it stays.
+fn plain_signs(text: &str) -> String {
+    let mut rest = text.chars().peekable();
+    let mut plain = String::with_capacity(text.len());
+    while let Some(c) = rest.next() {
+        let signs = c == '−' && rest.peek().is_some_and(|next| next.is_ascii_digit() || *next == '.');
+        plain.push(if signs { '-' } else { c });
+    }
+    plain
+}
+
 impl Aircraft {
     /// Reads bare matrices and converts them to SI; `file` is its name for messages and, without a `name`, its title.
     pub fn from_matrices(file: &str, text: &str, format: MatrixFormat) -> Result<Self, ContentError> {
         // Windows' editors begin a text with a mark of its encoding.
-        let text = text.trim_start_matches('\u{feff}');
+        let text = &plain_signs(text.trim_start_matches('\u{feff}'));
         let problem = |(line, problem)| ContentError { file: file.to_owned(), line, problem };
         if text.trim().is_empty() {
             return Err(problem((1, "the file is empty; expected the matrices A and B".to_owned())));

@@ -50,7 +50,8 @@ impl Mode {
 
     /// Damping ratio ζ = −σ/ωₙ, negative when the oscillation grows; of an oscillation only.
     pub fn damping_ratio(&self) -> Option<f64> {
-        self.natural_frequency().map(|wn| -self.lambda.re / wn)
+        // Adding zero makes −0 a 0.
+        self.natural_frequency().map(|wn| -self.lambda.re / wn + 0.0)
     }
 
     /// Damped frequency ω_d = |Im λ| \[rad/s\]; of an oscillation only.
@@ -102,10 +103,13 @@ pub fn modes_of(plane: Plane, a: &Matrix4<f64>) -> Result<Vec<Mode>, EigenError>
     let kept: Vec<usize> = (0..4).filter(|&i| eigen.values[i].im >= 0.0).collect();
     let shapes: Vec<Shape> = kept
         .iter()
-        .map(|&i| Shape {
-            lambda: eigen.values[i],
-            participation: eigen.participation(i),
-            stability: dynamic_stability(eigen.values[i].re, spectral_radius),
+        .map(|&i| {
+            let lambda = eigen.values[i];
+            let stability = dynamic_stability(lambda.re, spectral_radius);
+            // What is neither stable nor unstable has rounding for a real part.
+            let re = if stability == Stability::Neutral { 0.0 } else { lambda.re };
+            let participation = eigen.participation(i);
+            Shape { lambda: Complex::new(re, lambda.im), participation, stability }
         })
         .collect();
     let mut modes: Vec<Mode> = kept

@@ -6,6 +6,7 @@ use super::outputs::OutputRow;
 use super::response::Forced;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::stability::Stability;
 
 /// Gain and phase at one frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +26,8 @@ pub struct Peak {
     pub mode: ModeName,
     /// Angular frequency of the maximum \[rad/s\].
     pub frequency: f64,
-    /// Gain there.
-    pub gain: f64,
+    /// Gain there; `None` where it has no bound, at an oscillation that neither dies away nor grows.
+    pub gain: Option<f64>,
 }
 
 /// G(jω) of the forcing with index `input`: c (jω − A)⁻¹ (b + jω ḃ) + d + jω ḋ, the path included.
@@ -102,7 +103,12 @@ pub fn peaks(
         let away = |mode: &Mode| (mode.lambda.norm() / frequency).ln().abs();
         let oscillations = modes.iter().filter(|mode| mode.is_oscillatory());
         let Some(mode) = oscillations.min_by(|a, b| away(a).total_cmp(&away(b))) else { continue };
-        found.push(Peak { mode: mode.naming.name, frequency, gain: gain(frequency) });
+        let unbounded = mode.stability == Stability::Neutral && away(mode) < 1e-3;
+        found.push(Peak {
+            mode: mode.naming.name,
+            frequency: if unbounded { mode.lambda.im } else { frequency },
+            gain: (!unbounded).then(|| gain(frequency)),
+        });
     }
     found
 }

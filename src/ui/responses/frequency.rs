@@ -127,9 +127,9 @@ impl Sheet {
         let dots = bode
             .peaks
             .iter()
-            .map(|peak| {
-                let gain = 20.0 * (peak.gain / bode.unit).log10();
-                (PlotPoint::new(peak.frequency.log10(), gain), palette.mode(peak.mode))
+            .filter_map(|peak| {
+                let gain = 20.0 * (peak.gain? / bode.unit).log10();
+                Some((PlotPoint::new(peak.frequency.log10(), gain), palette.mode(peak.mode)))
             })
             .collect();
         let gain_unit = format!("dB of {unit} per {input_unit}");
@@ -196,12 +196,12 @@ fn peaks_ui(ui: &mut Ui, bode: &Bode) {
             );
         }
         for peak in &bode.peaks {
-            let text = format!(
-                "{} peak: {} {unit} per {input_unit} at {} rad/s",
-                words::mode::title(peak.mode),
-                significant(peak.gain / bode.unit, 3),
-                significant(peak.frequency, 3)
+            let gain = peak.gain.map_or_else(
+                || "without bound".to_owned(),
+                |gain| format!("{} {unit} per {input_unit}", significant(gain / bode.unit, 3)),
             );
+            let text =
+                format!("{} peak: {gain} at {} rad/s", words::mode::title(peak.mode), significant(peak.frequency, 3));
             ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.mode_text(peak.mode)));
             ui.add_space(10.0);
         }
