@@ -178,7 +178,7 @@ fn phugoid(key: &str) -> ModeReport {
 }
 
 #[test]
-fn a_peak_is_a_sample_and_a_steady_value_is_where_a_long_motion_ends() {
+fn a_peak_is_beside_the_largest_sample_and_a_steady_value_is_where_a_long_motion_ends() {
     let request = ResponseRequest { steps: Some(2400), ..disturbed_by("elevator", "step") };
     let report = motion("navion", &[("time", 300.0)], &request);
     let left = 2_f64.powf(-299.0 / phugoid("navion").time_to_half.expect("it dies away"));
@@ -186,8 +186,10 @@ fn a_peak_is_a_sample_and_a_steady_value_is_where_a_long_motion_ends() {
         assert_eq!((signal.name, signal.unit), (figures.name, figures.unit));
         let peak = figures.peak.expect("a peak");
         let size = largest(&signal.values);
-        assert_eq!(peak.value.abs(), size, "{}", signal.name);
-        assert_eq!(signal.values[(peak.time / 0.125).round() as usize], peak.value, "{}", signal.name);
+        // Exact between the samples: none is beyond it, and the short period's curve bends by a fiftieth in an eighth of a second.
+        assert!(peak.value.abs() >= size * (1.0 - 1e-9), "{}", signal.name);
+        let beside = signal.values[(peak.time / 0.125).round() as usize];
+        assert!((beside - peak.value).abs() <= 0.02 * size, "{}: {beside} {}", signal.name, peak.value);
         let is_of_path = ["h", "x"].contains(&signal.name);
         assert_eq!(figures.steady.is_none(), is_of_path, "{}", signal.name);
         if let Some(steady) = figures.steady {
@@ -218,7 +220,8 @@ fn the_time_to_bank_is_when_the_bank_angle_is_30_degrees() {
     let position = time / 0.005;
     let k = position.floor() as usize;
     let at = bank[k] + position.fract() * (bank[k + 1] - bank[k]);
-    assert!((at.abs() - std::f64::consts::FRAC_PI_6).abs() < 1e-9, "{at}");
+    // The chord of five milliseconds is 2·10⁻⁷ off the curve.
+    assert!((at.abs() - std::f64::consts::FRAC_PI_6).abs() < 1e-6, "{at}");
     // Let go at 0.7 rad of bank it is beyond from the beginning.
     let request = ResponseRequest {
         plane: Some("lateral".to_owned()),

@@ -206,3 +206,62 @@ fn near_a_repeated_root_the_response_is_exact_and_the_split_says_that_it_means_n
         assert!((0.5 * (before[k] + after[k]) - here[k]).abs() < 1e-8 * peak, "at {k}");
     }
 }
+
+/// The integral of a mode is that mode too: ψ = ∫ r dt/cos θ₀, y, h and x swing about zero with it and come back there, in linear
+/// flight and, of a small one, in nonlinear flight.
+#[test]
+fn the_path_of_an_oscillation_alone_comes_back_to_zero() {
+    let mut swung = 0;
+    for mut scenario in scenarios() {
+        for plane in [Plane::Longitudinal, Plane::Lateral] {
+            scenario.plane = plane;
+            let Ok(analysis) = scenario.analyse() else { continue };
+            let Some(Ok(analysed)) = &analysis.planes[plane] else { continue };
+            let modes = analysed.modes.clone();
+            for (index, mode) in modes.iter().enumerate().filter(|(_, mode)| mode.is_oscillatory()) {
+                let choice = &mut scenario.disturbance.choices[plane];
+                (choice.source, choice.mode) = (Source::OneMode, index);
+                scenario.disturbance.sizes.time = 2.0 * std::f64::consts::TAU / mode.lambda.im;
+                let motion = scenario.analyse().expect("an analysis").motion.expect("a motion");
+                let outputs = match plane {
+                    Plane::Longitudinal => [Output::Height, Output::Distance],
+                    Plane::Lateral => [Output::Heading, Output::Offset],
+                };
+                for output in outputs {
+                    let values = motion.values(output);
+                    // Two periods: half of one later it is on the other side, smaller or larger by e^{σT/2}.
+                    let half = values.len() / 4;
+                    let shrunk = (mode.lambda.re * half as f64 * motion.response.dt).exp();
+                    let most = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                    for k in 0..values.len() - half {
+                        let off = (values[k + half] + shrunk * values[k]).abs();
+                        assert!(
+                            off < 1e-6 * most,
+                            "{} {output:?} at {k}: {off} of {most}",
+                            scenario.aircraft.key
+                        );
+                    }
+                    swung += 1;
+                }
+                (scenario.disturbance.sizes.times, scenario.disturbance.sizes.time) = (1e-3, 0.1);
+                let small = scenario.analyse().expect("an analysis");
+                let (linear, Some(Ok(analysed))) = (small.motion.expect("a motion"), &small.planes[plane])
+                else {
+                    continue;
+                };
+                if let Ok(flight) = scenario.fly(analysed) {
+                    for output in outputs {
+                        let first = output.of_flight(&linear.model, &flight)[0];
+                        let want = linear.values(output)[0];
+                        assert!(
+                            (first - want).abs() < 1e-9 * want.abs().max(1.0),
+                            "{output:?}: {first} {want}"
+                        );
+                    }
+                }
+                scenario.disturbance.sizes.times = 1.0;
+            }
+        }
+    }
+    assert!(swung > 60, "{swung}");
+}

@@ -256,6 +256,8 @@ fn assert_is_scipys(golden: &Value) {
         edges: &[3.0, 1.0, 2.0],
         longitudinal: Vector4::zeros(),
         lateral: Vector4::zeros(),
+        heading: 0.0,
+        position: [0.0; 3],
     };
     let FlightPath { samples, stop, .. } = flight.fly(&excitation, TimeGrid { duration: 8.0, steps: 16 });
     assert_eq!(stop, None);

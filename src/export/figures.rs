@@ -5,14 +5,16 @@ use serde::Serialize;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::Motion;
 use crate::flight::modes::mode::Mode;
+use crate::flight::motion::course::Course;
 use crate::flight::motion::inputs::Input;
-use crate::flight::motion::outputs::Output;
+use crate::flight::motion::outputs::{Output, OutputRow};
 use crate::flight::motion::response_metrics::{
     control_anticipation, peak, phugoid_swing, steady_output, step_figures, time_to_bank,
 };
 use crate::scenario::{Quantity, START, Scenario, Source};
 
-/// Figures of a motion: of its samples from the first to where it is no small disturbance any more, at 1,200 steps or more.
+/// Figures of a motion, from its beginning to where it is no small disturbance any more. Peaks and the time to bank are of the time
+/// shown, all others of the whole motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Figures"))]
 pub struct FiguresReport {
@@ -44,9 +46,9 @@ pub struct OutputFigures {
     pub steady: Option<f64>,
     /// Time from 10 % to 90 % of the steady value, both for the first time \[s\].
     pub rise_time: Option<f64>,
-    /// Time after the step from which it stays within 2 % of the steady value \[s\].
+    /// Time after the step from which it stays within 2 % of the steady value for ever, whether that is shown or not \[s\].
     pub settling_time: Option<f64>,
-    /// How far it goes beyond the steady value, as a fraction of it; null where it hasn't and may yet.
+    /// How far it goes beyond the steady value, as a fraction of it.
     pub overshoot: Option<f64>,
 }
 
@@ -62,14 +64,9 @@ pub struct PeakReport {
 
 impl FiguresReport {
     pub(super) fn of(scenario: &Scenario, motion: &Motion, modes: &[Mode]) -> Self {
-        let (plane, dt) = (motion.model.plane, motion.response.dt);
-        // Up to the first sample that is not small, this one too.
-        let samples = motion.small_until.map_or(usize::MAX, |time| (time / dt).round() as usize + 1);
-        let values = |output: Output| {
-            let mut values = motion.values(output);
-            values.truncate(samples);
-            values
-        };
+        let Motion { model, forced, experiment, .. } = motion;
+        let plane = model.plane;
+        let course = Course::new(model, forced, modes, experiment.grid.duration);
         let source = scenario.disturbance.choices[plane].source;
         // What has no shape of its own to begin with disturbs from the first sample on.
         let start = if source.shapes().is_empty() { 0.0 } else { START };
@@ -77,22 +74,19 @@ impl FiguresReport {
             Plane::Longitudinal => Output::NormalLoad,
             Plane::Lateral => Output::SideLoad,
         };
-        let swing = || {
-            let mut height = motion.split(modes, Output::Height).ok()?;
-            height.parts.iter_mut().for_each(|part| part.truncate(samples));
-            phugoid_swing(modes, &height)
-        };
+        let row = |output: Output| output.row(model, forced);
         // Of irregular air neither is a figure of the aircraft.
         let random = source == Source::Turbulence;
-        let banked = || time_to_bank(&values(Output::BankAngle), dt, start);
-        let anticipation = || control_anticipation(&motion.model, modes, &motion.forced, 0);
+        let swing = || phugoid_swing(model, modes, forced, &row(Output::Height));
+        let banked = || time_to_bank(&course, &row(Output::BankAngle), start);
+        let anticipation = || control_anticipation(model, modes, forced, 0);
         Self {
             start,
             outputs: Output::of(plane)
                 .iter()
-                .map(|&output| OutputFigures::of(output, motion, modes, &values(output)))
+                .map(|&output| OutputFigures::of(output, motion, modes, &course))
                 .collect(),
-            peak_load_factor: PeakReport::of(&values(load), dt),
+            peak_load_factor: PeakReport::of(&course, &row(load)),
             time_to_bank: (plane == Plane::Lateral && !random).then(banked).flatten(),
             phugoid_swing: (plane == Plane::Longitudinal && !random).then(swing).flatten(),
             control_anticipation: (source == Source::Elevator).then(anticipation).flatten(),
@@ -101,20 +95,18 @@ impl FiguresReport {
 }
 
 impl OutputFigures {
-    fn of(output: Output, motion: &Motion, modes: &[Mode], values: &[f64]) -> Self {
-        let dt = motion.response.dt;
+    fn of(output: Output, motion: &Motion, modes: &[Mode], course: &Course<'_>) -> Self {
+        let row = output.row(&motion.model, &motion.forced);
         let steady = match motion.forced.forcings.first().map(|forcing| &forcing.input) {
-            Some(Input::Step { amplitude, .. }) => {
-                let row = output.row(&motion.model, &motion.forced);
-                steady_output(modes, &row, &motion.forced, 0, *amplitude)
-            }
+            Some(Input::Step { amplitude, .. }) => steady_output(modes, &row, &motion.forced, 0, *amplitude),
             _ => None,
         };
-        let peak = PeakReport::of(values, dt);
+        let peak = PeakReport::of(course, &row);
         // A steady value that is zero on paper is rounding.
         let rounding = 1e-12 * peak.map_or(0.0, |peak| peak.value.abs());
         let steady = steady.map(|steady| if steady.abs() <= rounding { 0.0 } else { steady });
-        let figures = steady.and_then(|steady| step_figures(values, dt, START, steady));
+        let figures =
+            steady.and_then(|steady| step_figures(&motion.model, modes, &motion.forced, &row, START, steady));
         let Quantity { key, dimension, .. } = Quantity::of(output);
         Self {
             name: key,
@@ -122,14 +114,14 @@ impl OutputFigures {
             peak,
             steady,
             rise_time: figures.and_then(|figures| figures.rise_time),
-            settling_time: figures.and_then(|figures| figures.settling_time),
-            overshoot: figures.and_then(|figures| figures.overshoot),
+            settling_time: figures.map(|figures| figures.settling_time),
+            overshoot: figures.map(|figures| figures.overshoot),
         }
     }
 }
 
 impl PeakReport {
-    fn of(values: &[f64], dt: f64) -> Option<Self> {
-        peak(values, dt).map(|(time, value)| Self { value, time })
+    fn of(course: &Course<'_>, row: &OutputRow) -> Option<Self> {
+        peak(course, row).map(|(time, value)| Self { value, time })
     }
 }

@@ -1,6 +1,5 @@
 //! The one entry point: everything that follows from an edited study and an experiment.
 
-use nalgebra::Vector4;
 use thiserror::Error;
 
 use super::aircraft::axes::StabilityAxes;
@@ -8,9 +7,10 @@ use super::aircraft::edits::{Edited, Offsets};
 use super::aircraft::plane::{ByPlane, Plane, PlaneModel};
 use super::aircraft::states::Longitudinal::{Theta, U};
 use super::aircraft::study::{Derived, Models, Study, StudyError};
-use super::modes::approximations::{Approximation, approximations};
+use super::modes::approximations::{Approximation, DownwashLag, approximations};
 use super::modes::eigen::EigenError;
 use super::modes::mode::{Mode, modes};
+use super::motion::course::is_small;
 use super::motion::experiment::{Experiment, forced};
 use super::motion::modal_sum::{ModalSum, SplitError, modal_sum};
 use super::motion::outputs::Output;
@@ -158,10 +158,11 @@ fn analyse_plane(
     let modes = modes(&model)?;
     let stability_axes = StabilityAxes::of(&model);
     let derivatives = edited.derivatives_behind(model.plane);
+    let lag = DownwashLag::of(edited.derivatives().ok().flatten().as_ref());
     Ok(PlaneAnalysis {
         dynamic_stability: modes.iter().map(|mode| mode.stability).max().unwrap_or_default(),
         static_stability: plane_static_stability(&stability_axes, derivatives.as_ref()),
-        approximations: approximations(&stability_axes, &modes),
+        approximations: approximations(&stability_axes, lag, &modes),
         levels: task
             .map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),
         modes,
@@ -182,22 +183,9 @@ fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -
     }
 }
 
-/// When a motion first leaves |u| ≤ V/2, α, β ≤ 0.35 rad (20°, about the stall), attitude ≤ 1 rad; `None` if it never does.
-///
-/// Beyond these the linear equations are no approximation of anything. The limits are ours, and generous.
+/// When a motion is first seen not to be small; `None` if it never is.
 fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
-    let v = model.trim.speed;
-    let small = |x: &Vector4<f64>| match model.plane {
-        Plane::Longitudinal => {
-            let [u, w, _, theta] = (*x).into();
-            u.abs() <= 0.5 * v && w.abs() <= 0.35 * v && theta.abs() <= 1.0
-        }
-        Plane::Lateral => {
-            let [side, _, _, phi] = (*x).into();
-            side.abs() <= 0.35 * v && phi.abs() <= 1.0
-        }
-    };
-    let k = response.states.iter().position(|x| !small(x))?;
+    let k = response.states.iter().position(|x| !is_small(model, x))?;
     Some(k as f64 * response.dt)
 }
 

@@ -44,7 +44,7 @@ def torque_free():
 
 def navion(cl_alphadot=0.0, exponent=0.0, offset=0.0, gamma=0.0):
     """Navion of NASA CR-96008 at sea level: elevator and rudder held from 1 s, aileron from 2 s, air from the left
-    and rising from 3 s, along the axes of the trim. With other lift by the rate of alpha, thrust as V to an exponent, on a
+    and rising from 3 s, along and across the flight path of the trim. With other lift by the rate of alpha, thrust as V to an exponent, on a
     line so many feet below the centre of gravity, climbing at gamma."""
     g, rho, v0 = 32.174, 0.002378, 176.0
     mass, s, b, c = 2750.0 / g, 184.0, 33.4, 5.7
@@ -63,7 +63,8 @@ def navion(cl_alphadot=0.0, exponent=0.0, offset=0.0, gamma=0.0):
         de, dr = (controls["elevator"], controls["rudder"]) if on[0] else (0.0, 0.0)
         da = controls["aileron"] if on[1] else 0.0
         wind = trim @ wind_si / FT if on[2] else np.zeros(3)
-        air = velocity - turn.T @ wind
+        blowing = turn.T @ wind
+        air = velocity - blowing
         speed = np.linalg.norm(air)
         alpha = np.arctan2(air[2], air[0])
         beta = np.arcsin(air[1] / speed)
@@ -84,6 +85,8 @@ def navion(cl_alphadot=0.0, exponent=0.0, offset=0.0, gamma=0.0):
             return force / mass + turn.T @ [0, 0, g] - np.cross(w, velocity)
 
         def alphadot_of(acceleration):
+            # the wind stands still while the axes turn
+            acceleration = acceleration + np.cross(w, blowing)
             return (air[0] * acceleration[2] - air[2] * acceleration[0]) / (air[0] ** 2 + air[2] ** 2)
 
         # the rate of alpha depends on itself, along a straight line: two points of it say where it meets itself

@@ -38,9 +38,11 @@ ABOUT = {
     "disagreement": "by kind, the largest difference from a second method, of the largest value of that state in its run",
     "models": "one aircraft in one plane: x' = a x + b u(t) + b_rate u'(t), x(0) = x0 or zero",
     "a": "rows of A, states [u, w, q, theta] or [v, p, r, phi]; SI and radians, axes as in models.json",
-    "columns": "b by name: elevator, aileron, rudder [rad]; gusts u_g forward, w_g downward, v_g to the right [m/s]: -A[:, state]",
+    "columns": "b by name: elevator, aileron, rudder [rad]; gusts [m/s], u_g along the flight path, w_g normal to it, downward, "
+    "v_g to the right: -A[:, state] of the states that the air moves with",
     "rate_columns": "b_rate by name, for the rate of the gust [m/s2]: what the gradient of a frozen field turns, q_g = -w_g'/V "
-    "and r_g = v_g'/V, on the aerodynamic part of the q or r column, and -Z_wdot, -M_wdot on w_g'",
+    "and r_g = v_g'/V about the normal to the path, on the aerodynamic part of the q or p and r columns, and -Z_wdot, -M_wdot "
+    "on the w' of the air",
     "grid": "samples are wanted at k duration / steps [s]; `samples` has the k that are given",
     "speed": "V of the penetration [m/s]",
     "runs": "`input`, with the name of its column; `rate`: whether rate_columns acts too; `x0` where not zero; `states` at the samples",
@@ -227,18 +229,26 @@ def columns(entry, plane):
     v, alpha0, theta0 = trim["speed"], trim["alpha0"], trim["gamma0"] + trim["alpha0"]
     u0, w0 = v * math.cos(alpha0), v * math.sin(alpha0)
     if plane == "lateral":
-        # Y_r, L_r, N_r without U0 and tan theta0; the aerodynamics see r - v_g'/V.
+        # Y_p, L_p, N_p without W0 and 1, Y_r, L_r, N_r without U0 and tan theta0.
+        p = a[:, 1] - np.array([w0, 0, 0, 1])
         r = a[:, 2] + np.array([u0, 0, 0, -math.tan(theta0)])
-        return a, {"aileron": b[:, 0], "rudder": b[:, 1], "v_g": -a[:, 0]}, {"v_g": -r / v}
+        # The air turns with v_g'/V about the normal to the path, [-sin alpha0, 0, cos alpha0] in body axes.
+        turning = np.array([-math.sin(alpha0), math.cos(alpha0)]) / v
+        return a, {"aileron": b[:, 0], "rudder": b[:, 1], "v_g": -a[:, 0]}, {"v_g": -np.column_stack([p, r]) @ turning}
     z_wdot, m_wdot = W_DOT[entry["id"]][0], W_DOT[entry["id"]][1] / 0.3048
     inertia = np.array([[1, 0, 0, 0], [0, 1 - z_wdot, 0, 0], [0, -m_wdot, 1, 0], [0, 0, 0, 1.0]])
     gravity = inertia @ a[:, 3]
     weight = trim["gravity"] * np.array([-math.cos(theta0), -math.sin(theta0), 0, 0])
     assert np.abs(gravity - weight).max() < 1e-6, (entry["id"], gravity, weight)
-    # X_q, Z_q, M_q without W0, U0 and 1; the aerodynamics see q + w_g'/V and w' - w_g'.
+    # X_q, Z_q, M_q without W0, U0 and 1; the aerodynamics see q + w_g'/V and w' less that of the air.
     q = inertia @ a[:, 2] - np.array([-w0, u0, 0, 1])
-    w_rate = np.linalg.solve(inertia, q / v - np.array([0, z_wdot, m_wdot, 0]))
-    return a, {"elevator": b[:, 0], "u_g": -a[:, 0], "w_g": -a[:, 1]}, {"w_g": w_rate}
+    lag = np.array([0, z_wdot, m_wdot, 0])
+    # Rows: the path and its normal, downward, in body axes [x, z].
+    path, normal = [math.cos(alpha0), math.sin(alpha0)], [-math.sin(alpha0), math.cos(alpha0)]
+    u_rate = np.linalg.solve(inertia, -lag * path[1])
+    w_rate = np.linalg.solve(inertia, q / v - lag * normal[1])
+    gusts = {"u_g": -a[:, :2] @ path, "w_g": -a[:, :2] @ normal}
+    return a, {"elevator": b[:, 0], **gusts}, {"u_g": u_rate, "w_g": w_rate}
 
 
 def inputs(amplitude):
@@ -259,7 +269,7 @@ def runs(a, b, b_rate, plane):
         for kind in inputs(3.0 if name.endswith("_g") else 0.02):
             yield kind | {"column": name}, column, None, none
     # The rate of a jump is no function: only what has no jumps.
-    (name, rate), = b_rate.items()
+    name, rate = list(b_rate.items())[-1]
     values = np.round(np.random.default_rng(8785).normal(0, 1.5, 25), 2).tolist()
     samples = {"kind": "samples", "dt": 1.3, "values": values}
     yield samples | {"column": name}, b[name], None, none

@@ -9,7 +9,7 @@ use eigenwing::flight::aircraft::knobs::Knobs;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::aircraft::study::{CoefficientStudy, Study};
 use eigenwing::flight::motion::aerodynamics::Aerodynamics;
-use eigenwing::flight::motion::gusts::penetration_column;
+use eigenwing::flight::motion::gusts::rate_columns;
 use eigenwing::flight::motion::six_dof::{SixDof, TRIM_RESIDUAL};
 use nalgebra::{Matrix4, SMatrix, Vector4};
 
@@ -58,9 +58,11 @@ fn assert_linear_model_is_the_derivative(key: &str, edited: &Edited) {
             assert_same(&format!("{key}, {plane:?}, gust"), &gust, &gust_column(model));
             let gradient: Vector4<f64> = jacobian.wind_rate.fixed_view::<4, 1>(at, wind).into_owned();
             let derivatives = edited.derivatives().expect("it flies");
-            let column = penetration_column(plane, derivatives.as_ref());
+            let [along, column] = rate_columns(plane, derivatives.as_ref());
+            let longitudinal: Vector4<f64> = jacobian.wind_rate.fixed_view::<4, 1>(at, 0).into_owned();
             if edited.offsets == Default::default() {
                 assert_same(&format!("{key}, {plane:?}, gradient of the gust"), &gradient, &column);
+                assert_same(&format!("{key}, {plane:?}, rate of the head gust"), &longitudinal, &along);
             }
         }
         let other = 4 - at;

@@ -219,6 +219,8 @@ proptest! {
             edges: &[2.0],
             longitudinal: Vector4::new(u, w, q, theta),
             lateral: Vector4::new(v, p, r, phi),
+            heading: 0.0,
+            position: [0.0; 3],
         };
         let path = flight.fly(&excitation, TimeGrid { duration: 10.0, steps: 50 });
         prop_assert!(is_finite(&path), "{:?}", path.stop);

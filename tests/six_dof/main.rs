@@ -3,6 +3,7 @@
 mod derivative;
 mod ends;
 mod small;
+mod wind;
 
 use std::sync::LazyLock;
 
@@ -33,7 +34,7 @@ fn ready(edited: &Edited) -> SixDof {
 
 /// Column by which the cross gust enters the linear model.
 fn gust_column(model: &PlaneModel) -> Vector4<f64> {
-    -(model.a * air_across(model.plane))
+    -(model.a * air_across(model.plane, model.trim.alpha0))
 }
 
 const GRID: TimeGrid = TimeGrid { duration: 12.0, steps: 120 };
@@ -53,6 +54,8 @@ fn from_rest<'a>() -> Excitation<'a> {
         edges: &[],
         longitudinal: Vector4::zeros(),
         lateral: Vector4::zeros(),
+        heading: 0.0,
+        position: [0.0; 3],
     }
 }
 

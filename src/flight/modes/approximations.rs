@@ -1,17 +1,19 @@
 //! The textbooks' literal approximations beside the exact modes, with the error of each.
 //!
-//! All are written in stability axes with the entries of A, so "V" is the speed that stands in the w or v row (V + Zq), and
-//! ẇ terms are folded in. Sources: McRuer, Ashkenas & Graham, *Aircraft Dynamics and Automatic Control*, 1973, §§5–6;
+//! All are in the stability axes of the trim, and each is the number of the formula printed beside it: V is the airspeed, g free
+//! fall, Z_w, M_w and so on the derivatives before the ẇ terms are solved for. Where only matrices are known, their entries
+//! stand for the derivatives, as if there were no ẇ terms. Sources: McRuer, Ashkenas & Graham, *Aircraft Dynamics and Automatic Control*, 1973, §§5–6;
 //! Nelson, *Flight Stability and Automatic Control*, 2nd ed., §§4–5; Lanchester, *Aerodonetics*, 1908.
 
-use nalgebra::{Complex, Matrix4};
+use nalgebra::{Complex, Matrix4, Vector4};
 
 use super::mode::Mode;
 use super::mode_name::ModeName;
 use super::quartic::polynomial;
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
 use crate::flight::aircraft::axes::StabilityAxes;
-use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::study::DerivativeStudy;
 
 /// Which approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,20 +147,54 @@ fn relative_error(approximate: f64, exact: f64) -> Option<f64> {
     error.is_finite().then_some(error)
 }
 
-/// Every approximation for the plane of `model`, in a fixed order; `modes` are its exact modes.
-pub fn approximations(model: &StabilityAxes, modes: &[Mode]) -> Vec<Approximation> {
-    let model = model.model();
-    match model.plane {
-        Plane::Longitudinal => longitudinal(&model.a, modes),
-        Plane::Lateral => lateral(&model.a, modes),
+/// What is felt of ẇ: the derivatives by it, in the axes of their source.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DownwashLag {
+    /// Z_ẇ, without dimension.
+    pub z_wdot: f64,
+    /// M_ẇ \[1/m\].
+    pub m_wdot: f64,
+    /// Angle of attack of those axes \[rad\].
+    pub alpha0: f64,
+}
+
+impl DownwashLag {
+    /// That of an aircraft; none where only matrices are known.
+    pub fn of(derivatives: Option<&DerivativeStudy>) -> Self {
+        let lag = derivatives.and_then(|study| {
+            let d = study.longitudinal?;
+            Some(Self { z_wdot: d.z_wdot, m_wdot: d.m_wdot, alpha0: study.trim.alpha0 })
+        });
+        lag.unwrap_or_default()
+    }
+
+    /// A in stability axes as it is before the ẇ terms are solved for: every entry less what ẇ adds to its row.
+    fn unfold(self, a: &Matrix4<f64>) -> Matrix4<f64> {
+        // ẇ of those axes is u̇ sin α₀ + ẇ cos α₀, their z axis [sin α₀, cos α₀]
+        let (sin, cos) = self.alpha0.sin_cos();
+        let rate = a.row(0) * sin + a.row(1) * cos;
+        a - Vector4::new(self.z_wdot * sin, self.z_wdot * cos, self.m_wdot, 0.0) * rate
     }
 }
 
-fn longitudinal(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
+/// Every approximation for the plane of `model`, in a fixed order; `modes` are its exact modes.
+pub fn approximations(model: &StabilityAxes, lag: DownwashLag, modes: &[Mode]) -> Vec<Approximation> {
+    let model = model.model();
+    match model.plane {
+        Plane::Longitudinal => longitudinal(model, lag, modes),
+        Plane::Lateral => lateral(model, modes),
+    }
+}
+
+fn longitudinal(model: &PlaneModel, lag: DownwashLag, modes: &[Mode]) -> Vec<Approximation> {
     use ApproximationName as Name;
-    // x = [u, w, q, θ]; v is V + Zq
-    let [x_u, z_u, z_w, v] = [a[(0, 0)], a[(1, 0)], a[(1, 1)], a[(1, 2)]];
-    let [m_w, m_q, g] = [a[(2, 1)], a[(2, 2)], -a[(0, 3)]];
+    let a = &model.a;
+    // x = [u, w, q, θ]
+    let plain = lag.unfold(a);
+    let [x_u, z_u, z_w] = [plain[(0, 0)], plain[(1, 0)], plain[(1, 1)]];
+    let [m_w, m_q, m_wdot] = [plain[(2, 1)], plain[(2, 2)], lag.m_wdot * lag.alpha0.cos()];
+    // Its entry of weight is g cos γ₀.
+    let (v, g) = (model.trim.speed, -plain[(0, 3)] / model.trim.gamma0.cos());
     let short_period = second_order(modes, SHORT_PERIOD).map(full);
     let phugoid = second_order(modes, PHUGOID).map(full);
     // ωₙ² = −Zu g/V, 2ζωₙ = −Xu
@@ -166,12 +202,12 @@ fn longitudinal(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
     vec![
         Approximation {
             name: Name::ShortPeriodTwoStates,
-            value: SecondOrder::of(-(z_w + m_q), z_w * m_q - v * m_w).map(full),
+            value: SecondOrder::of(-(z_w + m_q + v * m_wdot), z_w * m_q - v * m_w).map(full),
             exact: short_period,
         },
         Approximation {
             name: Name::ShortPeriodPitchOnly,
-            value: SecondOrder::of(-m_q, -v * m_w).map(full),
+            value: SecondOrder::of(-(m_q + v * m_wdot), -v * m_w).map(full),
             exact: short_period,
         },
         Approximation {
@@ -185,10 +221,11 @@ fn longitudinal(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
     ]
 }
 
-fn lateral(a: &Matrix4<f64>, modes: &[Mode]) -> Vec<Approximation> {
+fn lateral(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
     use ApproximationName as Name;
-    // x = [v, p, r, φ]; v is V − Yr, and N'β = V N'v
-    let [y_v, v, g] = [a[(0, 0)], -a[(0, 2)], a[(0, 3)]];
+    let a = &model.a;
+    // x = [v, p, r, φ]; N'β = V N'v
+    let (y_v, v, g) = (a[(0, 0)], model.trim.speed, a[(0, 3)] / model.trim.gamma0.cos());
     let [l_beta, l_p, l_r] = [v * a[(1, 0)], a[(1, 1)], a[(1, 2)]];
     let [n_beta, n_p, n_r] = [v * a[(2, 0)], a[(2, 1)], a[(2, 2)]];
     let dutch_roll = second_order(modes, DUTCH_ROLL).map(full);

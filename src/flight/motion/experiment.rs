@@ -1,10 +1,10 @@
 //! Experiments: what disturbs an aircraft and for how long it is watched, the same for linear and nonlinear flight.
 
-use nalgebra::Vector4;
+use nalgebra::{Vector2, Vector4};
 
 use super::aerodynamics::Controls;
 use super::flight_path::{Excitation, FlightPath};
-use super::gusts::{air_across, air_along, gust, penetration_column};
+use super::gusts::{air_across, air_along, gust, rate_columns};
 use super::inputs::Input;
 use super::modal_sum::single_mode;
 use super::path_rates::path_rates;
@@ -18,13 +18,13 @@ use crate::flight::modes::mode::Mode;
 /// Where a disturbance enters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
-    /// The first input of the plane \[rad\]: elevator, trailing edge down positive, or aileron in the source's sense.
+    /// The first input of the plane \[rad\]: elevator, trailing edge down positive, or aileron, right one up positive.
     First,
     /// The second: throttle as a fraction of the weight, or rudder \[rad\], trailing edge left positive.
     Second,
-    /// Air moving along the flight \[m/s\], u_g forward positive; it does nothing in the linear lateral plane.
+    /// Air moving along the flight path \[m/s\], u_g forward positive; it does nothing in the linear lateral plane.
     AirAlong,
-    /// Air moving across the flight \[m/s\]: w_g downward positive, or v_g to the right positive.
+    /// Air moving across the flight path \[m/s\]: w_g downward positive, or v_g to the right positive.
     AirAcross,
 }
 
@@ -65,24 +65,24 @@ pub fn forced(
     start: Start,
     modes: &[Mode],
 ) -> Forced {
-    let plane = model.plane;
+    let (plane, alpha0) = (model.plane, model.trim.alpha0);
+    let of_rate = || rate_columns(plane, edited.derivatives().ok().flatten().as_ref());
     let forcing = |(channel, input): &(Channel, Input)| {
         let input = input.clone();
         match channel {
             Channel::First => Forcing::new(model.b.column(0).into_owned(), input),
             Channel::Second => Forcing::new(model.b.column(1).into_owned(), input),
-            Channel::AirAlong => gust(model, air_along(plane), Vector4::zeros(), input),
-            Channel::AirAcross => {
-                let derivatives = edited.derivatives().ok().flatten();
-                gust(model, air_across(plane), penetration_column(plane, derivatives.as_ref()), input)
-            }
+            Channel::AirAlong => gust(model, air_along(plane, alpha0), of_rate()[0], input),
+            Channel::AirAcross => gust(model, air_across(plane, alpha0), of_rate()[1], input),
         }
     };
+    let (start, start_path) = initial(model, start, modes);
     Forced {
         a: model.a,
         path: path_rates(model),
         forcings: inputs.iter().map(forcing).collect(),
-        start: initial_state(model, start, modes),
+        start,
+        start_path,
     }
 }
 
@@ -111,36 +111,48 @@ pub fn fly(
         }
     };
     let wind = |t: f64| {
-        let (along, across, rate) =
-            (of(Channel::AirAlong, t), of(Channel::AirAcross, t), rate_of(Channel::AirAcross, t));
+        let [along, across] = [Channel::AirAlong, Channel::AirAcross].map(|channel| of(channel, t));
+        let [along_rate, rate] = [Channel::AirAlong, Channel::AirAcross].map(|channel| rate_of(channel, t));
         match plane {
-            Plane::Longitudinal => Wind { velocity: [along, 0.0, across], rate: [0.0, 0.0, rate] },
-            Plane::Lateral => Wind { velocity: [along, across, 0.0], rate: [0.0, rate, 0.0] },
+            Plane::Longitudinal => Wind { velocity: [along, 0.0, across], rate: [along_rate, 0.0, rate] },
+            Plane::Lateral => Wind { velocity: [along, across, 0.0], rate: [along_rate, rate, 0.0] },
         }
     };
     let edges: Vec<f64> = inputs.iter().flat_map(|(_, input)| input.edges()).collect();
-    let start = initial_state(model, experiment.start, modes);
-    let (longitudinal, lateral) = match plane {
-        Plane::Longitudinal => (start, Vector4::zeros()),
-        Plane::Lateral => (Vector4::zeros(), start),
+    let (start, path) = initial(model, experiment.start, modes);
+    let none = Vector4::zeros();
+    let (longitudinal, lateral, heading, position) = match plane {
+        Plane::Longitudinal => (start, none, 0.0, [path[0], 0.0, path[1]]),
+        Plane::Lateral => (none, start, path[0], [0.0, path[1], 0.0]),
     };
-    let excitation = Excitation { controls: &controls, wind: &wind, edges: &edges, longitudinal, lateral };
+    let excitation = Excitation {
+        controls: &controls,
+        wind: &wind,
+        edges: &edges,
+        longitudinal,
+        lateral,
+        heading,
+        position,
+    };
     Ok(aircraft.fly(&excitation, experiment.grid))
 }
 
-fn initial_state(model: &PlaneModel, start: Start, modes: &[Mode]) -> Vector4<f64> {
+/// State and path at t = 0.
+fn initial(model: &PlaneModel, start: Start, modes: &[Mode]) -> (Vector4<f64>, Vector2<f64>) {
+    let at_rest = (Vector4::zeros(), Vector2::zeros());
     match start {
-        Start::Rest => Vector4::zeros(),
+        Start::Rest => at_rest,
         Start::Released([first, second, third, fourth]) => {
             let speed = model.trim.speed;
-            match model.plane {
+            let state = match model.plane {
                 Plane::Longitudinal => Vector4::new(first, second * speed, third, fourth),
                 Plane::Lateral => Vector4::new(first * speed, second, third, fourth),
-            }
+            };
+            (state, Vector2::zeros())
         }
         Start::Mode { index, amplitude } => {
             let mode = modes.get(index).or(modes.last());
-            mode.map_or_else(Vector4::zeros, |mode| single_mode(mode, angles(model), amplitude))
+            mode.map_or(at_rest, |mode| single_mode(mode, angles(model), &path_rates(model), amplitude))
         }
     }
 }

@@ -32,6 +32,10 @@ pub struct Excitation<'a> {
     pub longitudinal: Vector4<f64>,
     /// Likewise \[v, p, r, φ\].
     pub lateral: Vector4<f64>,
+    /// Heading ψ at which it begins \[rad\], zero along the trimmed flight.
+    pub heading: f64,
+    /// Where it begins: north, east and up \[m\].
+    pub position: [f64; 3],
 }
 
 /// A nonlinear flight at the samples of a [`TimeGrid`].
@@ -56,7 +60,7 @@ pub struct Sample {
     pub attitude: Attitude,
     /// Bank φ, pitch θ and heading ψ \[rad\], not less the trim's; θ within ±90°, heading zero in the trim.
     pub euler: [f64; 3],
-    /// Position north (along the trimmed flight), east and up \[m\] from where it was at t = 0.
+    /// Position north (along the trimmed flight), east and up \[m\] from where steady flight is at t = 0.
     pub position: [f64; 3],
     /// Angle of attack through the air, away from the trim's \[rad\].
     pub alpha: f64,
@@ -129,8 +133,12 @@ struct Flying<'a> {
 impl Flying<'_> {
     /// Piece by piece between the edges.
     fn fly(&mut self) -> Result<(), Stop> {
-        let Excitation { longitudinal, lateral, edges, .. } = *self.excitation;
-        let mut y = self.aircraft.displaced(longitudinal.into(), lateral.into()).to_array();
+        let Excitation { longitudinal, lateral, edges, heading, position, .. } = *self.excitation;
+        let displaced = self.aircraft.displaced(longitudinal.into(), lateral.into());
+        let [phi, theta, _] = displaced.attitude.euler();
+        let attitude =
+            if heading == 0.0 { displaced.attitude } else { Attitude::from_euler(phi, theta, heading) };
+        let mut y = State { attitude, position, ..displaced }.to_array();
         let end = if self.last == 0 { 0.0 } else { self.grid.time(self.last) };
         let mut edges: Vec<f64> = edges.iter().copied().filter(|&t| t > 0.0 && t < end).collect();
         edges.push(end);

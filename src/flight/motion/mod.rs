@@ -1,12 +1,13 @@
 //! Motion in time: what disturbs an aircraft, and how it answers, linearly and in six degrees of freedom.
 //!
 //! ```text
-//! inputs, gusts, turbulence ──► experiment ──┬──► response (linear, exact) ──► outputs, modal_sum, response_metrics
+//! inputs, gusts, turbulence ──► experiment ──┬──► response (linear, exact) ──► outputs, modal_sum, course, response_metrics
 //!                                            │                 frequency_response: the same over frequency
 //!                                            └──► six_dof ──► flight_path (rigid_body, aerodynamics, integrator)
 //! ```
 
 pub mod aerodynamics;
+pub mod course;
 pub mod experiment;
 pub mod flight_path;
 pub mod frequency_response;

@@ -9,7 +9,7 @@ use nalgebra::{Complex, Vector2, Vector4};
 use thiserror::Error;
 
 use super::outputs::OutputRow;
-use super::response::{Forced, Response};
+use super::response::{Forced, PathRates, Response};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 
@@ -76,42 +76,75 @@ pub fn modal_sum(
     Ok(sum)
 }
 
-/// State at which a motion begins that stays in one mode: the real part of its shape, turned and scaled so that the greatest of
-/// the states `angles` is `amplitude` \[rad\] at the start.
+/// State and path at which a motion begins that stays in one mode: the real part of its shape, turned and scaled so that the
+/// greatest of the states `angles` is `amplitude` \[rad\] at the start, and of its integral along the path, v/λ.
 ///
-/// `angles` turns the states into angles to be compared: \[u, w, q, θ\] ↦ (w/V, θ), \[v, p, r, φ\] ↦ (v/V, φ).
-pub fn single_mode(mode: &Mode, angles: [Vector4<f64>; 2], amplitude: f64) -> Vector4<f64> {
+/// `angles` turns the states into angles to be compared: \[u, w, q, θ\] ↦ (w/V, θ), \[v, p, r, φ\] ↦ (v/V, φ). The path of a mode
+/// that doesn't oscillate begins at zero: to be its integral it would have to come from far away.
+pub fn single_mode(
+    mode: &Mode,
+    angles: [Vector4<f64>; 2],
+    rates: &PathRates,
+    amplitude: f64,
+) -> (Vector4<f64>, Vector2<f64>) {
     let seen = angles.map(|row| row.map(Complex::from).dot(&mode.shape));
     let largest = if seen[0].norm() >= seen[1].norm() { seen[0] } else { seen[1] };
-    if largest.norm() <= 1e-12 * mode.shape.norm() {
+    let scale = if largest.norm() <= 1e-12 * mode.shape.norm() {
         // A mode without any angle: of the speed alone.
-        return mode.shape.map(|x| x.re) * amplitude;
-    }
-    (mode.shape * (Complex::from(amplitude) / largest)).map(|x| x.re)
+        Complex::from(amplitude)
+    } else {
+        Complex::from(amplitude) / largest
+    };
+    let state = (mode.shape * scale).map(|x| x.re);
+    let path = (path_of_mode(mode, rates) * scale).map(|x| x.re);
+    (state, if mode.is_oscillatory() { path } else { Vector2::zeros() })
 }
 
-/// How a mode's part of an output is read off the states: one row, since part = Re(g · lᴴ x) is linear in x.
-struct Reading(Vector4<f64>);
+/// How a mode's part of an output is read off the states: part = Re(g · lᴴ x), one row.
+pub(super) struct Reading {
+    states: Vector4<f64>,
+    gain: Complex<f64>,
+    adjoint: Vector4<Complex<f64>>,
+}
 
 impl Reading {
-    fn new(mode: &Mode, row: &OutputRow, forced: &Forced) -> Self {
+    pub fn new(mode: &Mode, row: &OutputRow, forced: &Forced) -> Self {
         let (v, l) = (&mode.shape, &mode.adjoint);
         let complex = |row: &Vector4<f64>| row.map(Complex::from);
         // y = c v z + k p with ṗ = K v z + P p, and all of a mode ∝ e^{λt}: p = (λ − P)⁻¹ K v z
         let mut gain = complex(&row.states).dot(v);
         if row.path != Vector2::zeros() {
-            let rates = &forced.path;
-            let driven: Vector2<Complex<f64>> = rates.of_states.map(Complex::from) * v;
-            let first = driven[0] / mode.lambda;
-            // P has only the entry by which the first coordinate drives the second.
-            let second = (driven[1] + first * rates.of_path[(1, 0)]) / mode.lambda;
-            gain += first * row.path[0] + second * row.path[1];
+            let path = path_of_mode(mode, &forced.path);
+            gain += path[0] * row.path[0] + path[1] * row.path[1];
         }
         let gain = gain / l.dotc(v) * if mode.is_oscillatory() { 2.0 } else { 1.0 };
-        Self(l.map(|l| (gain * l.conj()).re))
+        Self { states: l.map(|l| (gain * l.conj()).re), gain, adjoint: *l }
     }
 
-    fn of(&self, x: &Vector4<f64>) -> f64 {
-        self.0.dot(x)
+    /// The part at a state.
+    pub fn of(&self, x: &Vector4<f64>) -> f64 {
+        self.states.dot(x)
     }
+
+    /// The part as an output of its own.
+    pub fn row(&self, forced: &Forced) -> OutputRow {
+        OutputRow {
+            states: self.states,
+            path: Vector2::zeros(),
+            inputs: vec![(0.0, 0.0); forced.forcings.len()],
+        }
+    }
+
+    /// Its envelope there: the largest that the part would be with another phase.
+    pub fn envelope(&self, x: &Vector4<f64>) -> f64 {
+        (self.gain * self.adjoint.dotc(&x.map(Complex::from))).norm()
+    }
+}
+
+/// Path that belongs to a mode's shape while all goes as e^{λt}; not finite where λ is zero.
+fn path_of_mode(mode: &Mode, rates: &PathRates) -> Vector2<Complex<f64>> {
+    let driven: Vector2<Complex<f64>> = rates.of_states.map(Complex::from) * mode.shape;
+    let first = driven[0] / mode.lambda;
+    // P has only the entry by which the first coordinate drives the second.
+    Vector2::new(first, (driven[1] + first * rates.of_path[(1, 0)]) / mode.lambda)
 }

@@ -91,6 +91,8 @@ pub struct Forced {
     pub forcings: Vec<Forcing>,
     /// State at t = 0.
     pub start: Vector4<f64>,
+    /// Path at t = 0.
+    pub start_path: Vector2<f64>,
 }
 
 impl Forced {
@@ -101,6 +103,7 @@ impl Forced {
             path: PathRates::default(),
             forcings: vec![Forcing::new(b, input)],
             start: Vector4::zeros(),
+            start_path: Vector2::zeros(),
         }
     }
 }
@@ -112,7 +115,7 @@ pub struct Response {
     pub dt: f64,
     /// State vector \[u, w, q, θ\] or \[v, p, r, φ\] at t_k: finite and within [`CUT_LIMIT`], each of them.
     pub states: Vec<Vector4<f64>>,
-    /// Coordinates of the path at t_k, from zero; likewise.
+    /// Coordinates of the path at t_k; likewise.
     pub path: Vec<Vector2<f64>>,
     /// Time \[s\] of the first sample left out because the motion had grown beyond [`CUT_LIMIT`] or could not be computed.
     pub cut_at: Option<f64>,
@@ -125,8 +128,11 @@ pub struct Response {
 pub fn respond(forced: &Forced, grid: TimeGrid) -> Response {
     let steps = if grid.duration > 0.0 && grid.duration.is_finite() { grid.steps } else { 0 };
     let dt = if steps == 0 { 0.0 } else { grid.time(1) };
-    let startable = forced.start.iter().all(|x| x.abs() <= CUT_LIMIT);
-    let mut at = Place { x: if startable { forced.start } else { Vector4::zeros() }, path: Vector2::zeros() };
+    let startable = forced.start.iter().chain(&forced.start_path).all(|x| x.abs() <= CUT_LIMIT);
+    let mut at = Place { x: Vector4::zeros(), path: Vector2::zeros() };
+    if startable {
+        at = Place { x: forced.start, path: forced.start_path };
+    }
     let samples = steps.min(MOST_STEPS) + 1;
     let mut response =
         Response { dt, states: Vec::with_capacity(samples), path: Vec::with_capacity(samples), cut_at: None };
@@ -175,14 +181,14 @@ pub fn steady_state(a: &Matrix4<f64>, b: &Vector4<f64>) -> Option<Vector4<f64>> 
 }
 
 /// State and path at one time, or what an input adds to them.
-#[derive(Clone, Copy)]
-struct Place {
-    x: Vector4<f64>,
-    path: Vector2<f64>,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub x: Vector4<f64>,
+    pub path: Vector2<f64>,
 }
 
 /// Motion over a length of time.
-struct Step {
+pub(super) struct Step {
     phi: Matrix4<f64>,
     /// What the states and the path at the beginning add to the path at the end.
     path_of_states: Matrix2x4<f64>,
@@ -217,7 +223,8 @@ const PART: f64 = 2.0;
 const MOST_PARTS: f64 = 200.0;
 
 impl Step {
-    fn over(forced: &Forced, length: f64) -> Self {
+    /// Without an edge of any input inside.
+    pub fn over(forced: &Forced, length: f64) -> Self {
         let transition = transition(forced, None, length);
         let gains = forced.forcings.iter().map(|forcing| {
             if forcing.input.is_constant_between_edges() {
@@ -236,7 +243,7 @@ impl Step {
     }
 
     /// From a place at time t.
-    fn advance(&self, forced: &Forced, from: &Place, t: f64) -> Place {
+    pub fn advance(&self, forced: &Forced, from: &Place, t: f64) -> Place {
         let mut to = Place {
             x: self.phi * from.x,
             path: self.path_of_states * from.x + self.path_of_path * from.path,

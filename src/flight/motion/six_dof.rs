@@ -88,12 +88,12 @@ pub struct Inputs<T = f64> {
     pub wind: Wind<T>,
 }
 
-/// Motion of the air along the axes as they stand in the trim; they do not turn with the body.
+/// Motion of the air along and across the flight path of the trim, see [`super::gusts`]; these axes do not turn with the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wind<T = f64> {
     /// Velocity u_g, v_g, w_g \[m/s\].
     pub velocity: [T; 3],
-    /// Its rate as the aircraft meets it \[m/s²\]: over V the gradient along the aircraft, see [`super::gusts`]. Zero at a sharp edge.
+    /// Its rate as the aircraft meets it \[m/s²\]: over V the gradient along the path. Zero at a sharp edge.
     pub rate: [T; 3],
 }
 
@@ -201,10 +201,10 @@ impl SixDof {
         [u - u_g, v - v_g, w - w_g]
     }
 
-    /// What is given along the axes as they stand in the trim, in the axes of the body.
+    /// What is given along and across the flight path of the trim, in the axes of the body.
     fn to_body<T: Real>(&self, state: &State<T>, vector: [T; 3]) -> [T; 3] {
-        let upright = Attitude::from_euler(T::from(0.0), T::from(self.trim.theta0()), T::from(0.0));
-        state.attitude.to_body(upright.to_earth(vector))
+        let path = Attitude::from_euler(T::from(0.0), T::from(self.trim.gamma0), T::from(0.0));
+        state.attitude.to_body(path.to_earth(vector))
     }
 
     /// All forces but gravity over the mass, in body axes \[m/s²\], from a state and its rate.
@@ -218,9 +218,12 @@ impl SixDof {
 
     fn rate_about<T: Real>(&self, state: &State<T>, inputs: &Inputs<T>, steady: &Steady<T>) -> State<T> {
         let ([p, q, r], wind) = (state.rates, &inputs.wind);
+        let [u_air, v_air, w_air] = self.to_body(state, wind.velocity);
         let [u_rate, v_rate, w_rate] = self.to_body(state, wind.rate);
-        // Nose and tail in different air: q + ẇ_g/V, r − v̇_g/V
-        let rates = [p, q + w_rate / self.trim.speed, r - v_rate / self.trim.speed];
+        // Nose and tail in different air: q + ẇ_n/V with ẇ_n normal to the path, and r − v̇_g/V about this normal
+        let (sin, cos) = self.trim.alpha0.sin_cos();
+        let [pitching, yawing] = [w_rate * cos - u_rate * sin, v_rate].map(|rate| rate / self.trim.speed);
+        let rates = [p + yawing * sin, q + pitching, r - yawing * cos];
         let air = Airflow { velocity: self.through_air(state, wind), rates };
         let elevator = inputs.controls.elevator + steady.elevator;
         let controls = Controls { elevator, ..inputs.controls };
@@ -228,11 +231,13 @@ impl SixDof {
         let Inertia { ix, iy, iz, .. } = self.inertia;
         let [l, m, n] = loads.moment;
         let mut rate = state.rate(&self.inertia, self.trim.gravity, loads.force, [l * ix, m * iy, n * iz]);
-        // s = a (u̇ − u̇_g) + b (ẇ − ẇ_g) with u̇ = u̇₀ + X_s s, ẇ = ẇ₀ + Z_s s:
-        // s = (a (u̇₀ − u̇_g) + b (ẇ₀ − ẇ_g))/(1 − a X_s − b Z_s)
+        // The rate of the velocity through the air, in axes that turn with ω: V̇ − V̇_g + ω × V_g
+        let u_met = rate.velocity[0] - u_rate + (q * w_air - r * v_air);
+        let w_met = rate.velocity[2] - w_rate + (p * v_air - q * u_air);
+        // s = a u̇ + b ẇ with u̇ = u̇₀ + X_s s, ẇ = ẇ₀ + Z_s s:  s = (a u̇₀ + b ẇ₀)/(1 − a X_s − b Z_s)
         let lag = &loads.lag;
         let ([a, b], [x, z]) = (lag.of, lag.force);
-        let met = a * (rate.velocity[0] - u_rate) + b * (rate.velocity[2] - w_rate);
+        let met = a * u_met + b * w_met;
         let s = met / (-(a * x + b * z) + 1.0);
         rate.velocity[0] += x * s;
         rate.velocity[2] += z * s;

@@ -5,7 +5,7 @@
 //! The air's motion is a pattern frozen in space through which the aircraft flies at V, so a wave of Ω \[rad/m\] is met with
 //! ω = Ω V. Gusts are velocities of the air: u_g forward (a tail wind is positive), v_g to the right, w_g downward. The
 //! three are independent. Below 1000 ft the specification has u_g along the mean wind and w_g vertical; here all are taken
-//! along the body axes, as for level flight against or with the wind.
+//! along and across the flight path (see [`super::gusts`]), as for level flight against or with the wind.
 //!
 //! Spectra, §3.7.1.2 (Dryden form), one-sided over Ω ≥ 0 so that σ² = ∫₀^∞ Φ(Ω) dΩ:
 //!

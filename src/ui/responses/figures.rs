@@ -4,6 +4,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 
 use super::studied::{Studied, units};
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::course::Course;
 use crate::flight::motion::inputs::Input;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response_metrics::{
@@ -55,18 +56,20 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
     let random = in_turbulence(studied);
     // Let go or in one mode the disturbance is there from the first.
     let from = if scenario.disturbance.choices[studied.plane()].shape().is_some() { START } else { 0.0 };
-    let dt = motion.response.dt;
+    let course = course(studied);
+    let row = |output: Output| output.row(&motion.model, &motion.forced);
     let mut lines = Vec::new();
     match studied.plane() {
         Plane::Longitudinal => {
-            if let Some((time, load)) = peak(&small_values(studied, Output::NormalLoad), dt) {
+            if let Some((time, load)) = peak(&course, &row(Output::NormalLoad)) {
                 lines.push(format!(
                     "Largest change of load factor: {} g at {} s",
                     significant(load, 3),
                     significant(time, 3)
                 ));
             }
-            if let Some(swing) = swing(studied).filter(|_| !random) {
+            let swing = phugoid_swing(&motion.model, studied.modes, &motion.forced, &row(Output::Height));
+            if let Some(swing) = swing.filter(|_| !random) {
                 lines.push(format!("Phugoid, first swing of the height: {} m", significant(swing, 3)));
             }
             let elevator = scenario.disturbance.choices.longitudinal.source == Source::Elevator;
@@ -80,11 +83,11 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
             }
         }
         Plane::Lateral => {
-            let banked = time_to_bank(&small_values(studied, Output::BankAngle), dt, from);
+            let banked = time_to_bank(&course, &row(Output::BankAngle), from);
             if let Some(time) = banked.filter(|_| !random) {
                 lines.push(format!("30° of bank after {} s", significant(time, 3)));
             }
-            if let Some((time, load)) = peak(&small_values(studied, Output::SideLoad), dt) {
+            if let Some((time, load)) = peak(&course, &row(Output::SideLoad)) {
                 lines.push(format!(
                     "Largest lateral load factor: {} g at {} s",
                     significant(load, 2),
@@ -96,17 +99,16 @@ fn whole(studied: Studied<'_>) -> Vec<String> {
     lines
 }
 
-/// First swing of the phugoid's part of the height, as long as the disturbance is small \[m\].
-fn swing(studied: Studied<'_>) -> Option<f64> {
-    let mut height = studied.motion.split(studied.modes, Output::Height).ok()?;
-    height.parts.iter_mut().for_each(|part| part.truncate(studied.small()));
-    phugoid_swing(studied.modes, &height)
+/// The motion of the time shown, as long as it is a small disturbance.
+fn course(studied: Studied<'_>) -> Course<'_> {
+    let motion = studied.motion;
+    Course::new(&motion.model, &motion.forced, studied.modes, motion.experiment.grid.duration)
 }
 
 fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
     let palette = Palette::of(ui);
     let motion = studied.motion;
-    let dt = motion.response.dt;
+    let course = course(studied);
     let amplitude = match motion.forced.forcings.first().map(|forcing| &forcing.input) {
         Some(Input::Step { amplitude, .. }) => Some(*amplitude),
         _ => None,
@@ -124,34 +126,34 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
         ui.end_row();
         for &output in Output::of(studied.plane()) {
             let (quantity, unit_symbol, unit) = units(output, studied.scenario);
-            let values = small_values(studied, output);
-            let most = peak(&values, dt);
+            let row = output.row(&motion.model, &motion.forced);
+            let most = peak(&course, &row);
             ui.label(Symbol::parse(quantity.symbol).job(14.0, palette.text)).accessible_name(quantity.name);
             ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
                 .on_hover_text(quantity.name);
             // What is largest where the linear model ends goes on to grow, nobody knows how far.
-            let is_cut = values.len() < motion.response.states.len();
-            let grows = is_cut && most.is_some_and(|(time, _)| time >= (values.len() - 1) as f64 * dt);
+            let grows = course.small_until.is_some_and(|end| most.is_some_and(|(time, _)| time >= end));
             let least = if grows { "beyond " } else { "" };
             ui.label(format!("{least}{}", number(most.map(|(_, value)| value / unit))));
             let time = most.filter(|_| !grows).map(|(time, _)| format!("{} s", significant(time, 3)));
             ui.label(time.unwrap_or_default());
             if random {
-                ui.label(number(root_mean_square(&values).map(|value| value / unit)));
+                ui.label(number(root_mean_square(&small_values(studied, output)).map(|value| value / unit)));
                 ui.end_row();
                 continue;
             }
-            let row = output.row(&motion.model, &motion.forced);
             let steady =
                 amplitude.and_then(|size| steady_output(studied.modes, &row, &motion.forced, 0, size));
-            let figures = steady.and_then(|steady| step_figures(&values, dt, START, steady));
+            let figures = steady.and_then(|steady| {
+                step_figures(&motion.model, studied.modes, &motion.forced, &row, START, steady)
+            });
             // Beside the motion this is rounding.
             let steady = steady.map(|value| {
                 let size = most.map_or(0.0, |(_, most)| most.abs());
                 if value.abs() <= 1e-9 * size { 0.0 } else { value }
             });
             ui.label(number(steady.map(|value| value / unit)));
-            step_ui(ui, figures.filter(|_| !is_cut));
+            step_ui(ui, figures);
             ui.end_row();
         }
     });
@@ -162,7 +164,7 @@ fn step_ui(ui: &mut Ui, figures: Option<StepFigures>) {
     let none = || "–".to_owned();
     let seconds = |time: Option<f64>| time.map_or_else(none, |t| format!("{} s", significant(t, 3)));
     ui.label(seconds(figures.and_then(|f| f.rise_time)));
-    ui.label(seconds(figures.and_then(|f| f.settling_time)));
-    let overshoot = figures.and_then(|f| f.overshoot);
+    ui.label(seconds(figures.map(|f| f.settling_time)));
+    let overshoot = figures.map(|f| f.overshoot);
     ui.label(overshoot.map_or_else(none, |share| format!("{} %", significant(100.0 * share, 3))));
 }

@@ -200,8 +200,11 @@ fn peaks_ui(ui: &mut Ui, bode: &Bode) {
                 || "without bound".to_owned(),
                 |gain| format!("{} {unit} per {input_unit}", significant(gain / bode.unit, 3)),
             );
-            let text =
-                format!("{} peak: {gain} at {} rad/s", words::mode::title(peak.mode), significant(peak.frequency, 3));
+            let text = format!(
+                "{} peak: {gain} at {} rad/s",
+                words::mode::title(peak.mode),
+                significant(peak.frequency, 3)
+            );
             ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.mode_text(peak.mode)));
             ui.add_space(10.0);
         }
