@@ -237,3 +237,25 @@ fn a_pair_that_would_part_on_the_way_stops_and_no_other_mode_takes_its_place() {
         assert!(phugoid.lambda.norm() < 0.5 * now.norm(), "{to}: {} {now}", phugoid.lambda);
     }
 }
+
+/// Less damping than a short period has without any of C_mq is asked for: it stops where C_mq is zero, and says so. What is beyond
+/// already may stay beyond.
+#[test]
+fn no_drag_gives_a_derivative_the_sign_that_no_aircraft_has() {
+    let scenario = navion(Plane::Longitudinal);
+    let short_period = mode(&scenario, ModeName::ShortPeriod);
+    let wanted = Complex::new(-0.4, short_period.lambda.im);
+    let placed = scenario.place_pole(&short_period, wanted, &["cm_alpha", "cm_q"]).expect("an answer");
+    let pitch_damping = Parameter::find("cm_q").expect("a row");
+    assert!(pitch_damping.get(&placed.scenario) <= 0.0 && pitch_damping.get(&placed.scenario) > -0.01);
+    assert_eq!(placed.obstacle, Some(Obstacle::Sign(vec![pitch_damping])));
+    let sentence = placed.obstacle.expect("a reason").to_string();
+    assert_eq!(sentence, "C_mq is at zero: with the other sign this would be no aircraft");
+    let mut beyond = scenario.clone();
+    pitch_damping.set(&mut beyond, 5.0);
+    let driven = mode(&beyond, ModeName::ShortPeriod);
+    let to = driven.lambda * Complex::new(1.02, 0.0);
+    let placed = beyond.place_pole(&driven, to, &["cm_alpha", "cm_q"]).expect("an answer");
+    assert_eq!(placed.obstacle, None);
+    assert!(pitch_damping.get(&placed.scenario) > 0.0);
+}

@@ -41,11 +41,22 @@ pub struct Placed {
     pub evaluations: usize,
 }
 
+/// Derivatives that are negative in every aircraft: they damp a rotation or a motion across the flight.
+const NEGATIVE: [&str; 14] = [
+    "cm_q", "croll_p", "cn_r", "cy_beta", "m_q", "l_p", "n_r", "z_w", "y_v", "a_qq", "a_pp", "a_rr", "a_ww",
+    "a_vv",
+];
+/// Derivatives that are positive in every aircraft: lift grows with the angle of attack, and drag holds back.
+const POSITIVE: [&str; 2] = ["cl_alpha", "cd"];
+
 /// Why a pole stops before it is where it was wanted.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Obstacle {
     /// Sliders are at their ends.
     Ends(Vec<&'static Parameter>),
+    /// Derivatives stand at zero, and no aircraft has them with the other sign.
+    #[error("{} at zero: with the other sign this would be no aircraft", among(.0))]
+    Sign(Vec<&'static Parameter>),
     /// The pair would come to the real axis, where it is no pair any more.
     RealAxis,
     /// The real root comes to another.
@@ -71,8 +82,8 @@ impl Scenario {
     /// Moves the parameters with these keys, as little as may be, so that the pole of `mode` comes to `target` \[1/s\], or as near as
     /// it goes. `mode` is one of this scenario on its plane.
     ///
-    /// A pair stays a pair, and a real root stays on the real axis. No slider leaves its range; one that was typed outside it may
-    /// stay there. What counts as little is [`Parameter::notable_change`].
+    /// A pair stays a pair, and a real root stays on the real axis. No slider leaves its range, and no derivative takes a sign that no
+    /// aircraft has; one that was typed outside may stay there. What counts as little is [`Parameter::notable_change`].
     pub fn place_pole(
         &self,
         mode: &Mode,
@@ -94,7 +105,13 @@ impl Scenario {
         };
         let adjustable = |p: &&'static Parameter| {
             let (value, range) = (p.get(self), p.range(self));
-            let (lower, upper) = (range.start().min(value), range.end().max(value));
+            let (mut lower, mut upper) = (range.start().min(value), range.end().max(value));
+            if NEGATIVE.contains(&p.key) && value < 0.0 {
+                upper = upper.min(0.0);
+            }
+            if POSITIVE.contains(&p.key) && value > 0.0 {
+                lower = lower.max(0.0);
+            }
             Adjustable { value, lower, upper, scale: p.notable_change(self) }
         };
         let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
@@ -253,7 +270,16 @@ fn obstacle(
     };
     let all = chosen.iter().zip(values.iter().zip(adjustables));
     let ends: Vec<&'static Parameter> = all.filter(is_at_end).map(|(p, _)| *p).collect();
+    let all = chosen.iter().zip(values.iter().zip(adjustables));
+    let signs: Vec<&'static Parameter> = all
+        .filter(|(p, (value, of))| {
+            let one_sided = NEGATIVE.contains(&p.key) || POSITIVE.contains(&p.key);
+            one_sided && value.abs() <= AT_END * (of.upper - of.lower)
+        })
+        .map(|(p, _)| *p)
+        .collect();
     Some(match chosen {
+        _ if !signs.is_empty() => Obstacle::Sign(signs),
         _ if !ends.is_empty() => Obstacle::Ends(ends),
         [only] if pair => Obstacle::OnePath(only),
         _ => Obstacle::Nearest(chosen.to_vec()),
