@@ -343,8 +343,8 @@ fn a_root_at_zero_is_zero_and_the_bank_stays() {
     let neutral: Vec<&Mode> = modes.iter().filter(|mode| mode.stability == Stability::Neutral).collect();
     assert_eq!(neutral.len(), 1);
     assert_eq!((neutral[0].lambda.re, neutral[0].lambda.im), (0.0, 0.0));
-    let reason = &neutral[0].naming.reason;
-    assert!(reason.contains("the bank stays as it is") && !reason.contains("come level"), "{reason}");
+    let reason = eigenwing::words::naming::reason(neutral[0]);
+    assert!(reason.contains("stays as it is") && !reason.contains("come level"), "{reason}");
 }
 
 /// λ = ±0.2828 j: ζ is 0, and the resonance has no bound.

@@ -55,7 +55,6 @@ pub enum Obstacle {
     /// Sliders are at their ends.
     Ends(Vec<&'static Parameter>),
     /// Derivatives stand at zero, and no aircraft has them with the other sign.
-    #[error("{} at zero: with the other sign this would be no aircraft", among(.0))]
     Sign(Vec<&'static Parameter>),
     /// The pair would come to the real axis, where it is no pair any more.
     RealAxis,

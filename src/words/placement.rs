@@ -11,6 +11,14 @@ impl Display for Obstacle {
                 write!(f, "{} is at the end of its slider", list(parameters))
             }
             Self::Ends(parameters) => write!(f, "{} are at the ends of their sliders", list(parameters)),
+            Self::Sign(parameters) => {
+                let verb = if parameters.len() == 1 { "is" } else { "are" };
+                write!(
+                    f,
+                    "{} {verb} at zero: with the other sign this would be no aircraft",
+                    list(parameters)
+                )
+            }
             Self::RealAxis => {
                 f.write_str("this pair would meet on the real axis and part into two real roots")
             }

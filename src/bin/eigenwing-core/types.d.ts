@@ -68,7 +68,8 @@ export type ControlOrGust = "elevator" | "throttle" | "vertical-gust" | "head-gu
 
 export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust" | "turbulence" | "release" | "mode";
 
-/** Figures of a motion: of its samples from the first to where it is no small disturbance any more, at 1,200 steps or more. */
+/** Figures of a motion, from its beginning to where it is no small disturbance any more. Peaks and the time to bank are of the time
+ * shown, all others of the whole motion. */
 export type Figures = {
   /** When the disturbance begins [s]: times after it count from here. */
   start: number,
@@ -150,8 +151,8 @@ export type GainPeak = {
   mode: string,
   /** Its angular frequency [rad/s], to seven digits or so: a maximum is flat. */
   frequency: number,
-  /** Gain there. */
-  gain: number,
+  /** Gain there; null where it has no bound, at an oscillation that neither dies away nor grows. */
+  gain: number | null,
 };
 
 /** A value that was judged. */
@@ -287,9 +288,9 @@ export type OutputFigures = {
   steady: number | null,
   /** Time from 10 % to 90 % of the steady value, both for the first time [s]. */
   rise_time: number | null,
-  /** Time after the step from which it stays within 2 % of the steady value [s]. */
+  /** Time after the step from which it stays within 2 % of the steady value for ever, whether that is shown or not [s]. */
   settling_time: number | null,
-  /** How far it goes beyond the steady value, as a fraction of it; null where it hasn't and may yet. */
+  /** How far it goes beyond the steady value, as a fraction of it. */
   overshoot: number | null,
 };
 

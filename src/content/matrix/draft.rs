@@ -190,6 +190,7 @@ impl Draft {
         }
         self.check_kinematics(plane, &a)?;
         let model = PlaneModel { plane, a, b, trim };
+        let doubts = if plane == Plane::Lateral { lateral_doubts(&model) } else { Vec::new() };
         let mut models = MatrixStudy::default();
         models[plane] = Some(model);
         let study = Study::Matrices(models);
