@@ -1,4 +1,4 @@
-//! One aircraft in one flight condition, as its file has it.
+//! An aircraft in one flight condition, as its file has it.
 
 pub use super::published::{Published, PublishedMode, Quantity};
 pub use super::reader::ContentError;
@@ -21,9 +21,9 @@ pub struct Aircraft {
     pub length_unit: LengthUnit,
     /// Whether the modes of every plane were checked against published ones.
     pub status: Status,
-    /// Why the status is what it is, in a sentence or two.
+    /// Reason of the status, in a sentence or two.
     pub status_reason: String,
-    /// Where every number comes from.
+    /// Source of every number.
     pub source: String,
     /// Everything a person may edit, at the source's values.
     pub study: Study,
@@ -37,7 +37,7 @@ pub struct Aircraft {
     pub class: Option<Class>,
     /// Flight-phase category of MIL-F-8785C, our assignment.
     pub phase: Option<Category>,
-    /// What a reader of the source should know.
+    /// Remarks for a reader of the source: misprints, what is estimated, what is our assignment. A sentence or two each.
     pub notes: Vec<String>,
 }
 
@@ -51,7 +51,7 @@ pub struct Baseline {
 }
 
 impl Baseline {
-    /// That of a study; empty where there is no such steady flight.
+    /// The derivatives and models of a study; empty where there is no such steady flight.
     pub fn new(study: &Study) -> Self {
         Self {
             derivatives: study.to_derivatives().ok().flatten(),
@@ -60,14 +60,14 @@ impl Baseline {
     }
 }
 
-/// What a file says of one plane of motion.
+/// Status and source of the data of one plane of motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlaneNotes {
     /// Whether the published modes are reproduced.
     pub status: Status,
-    /// Why, in a sentence or two.
+    /// Reason of the status, in a sentence or two.
     pub status_reason: String,
-    /// Where the numbers of this plane come from.
+    /// Source of the numbers of this plane.
     pub source: String,
     /// The published modes.
     pub published: Vec<Published>,
@@ -92,7 +92,7 @@ pub struct Particulars {
     pub mach: Option<f64>,
 }
 
-/// Whether an aircraft's modes were checked against published ones.
+/// Result of checking an aircraft's modes against published ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// Every published number is reproduced.
@@ -120,7 +120,7 @@ impl LengthUnit {
     /// The units by the name that a file gives them.
     pub const NAMES: [(&'static str, Self); 2] = [("m", Self::Metre), ("100 ft", Self::HundredFeet)];
 
-    /// One of this unit in metres.
+    /// Length of this unit in metres.
     pub const fn metres(self) -> f64 {
         match self {
             Self::Metre => 1.0,
@@ -139,11 +139,6 @@ impl LengthUnit {
 }
 
 impl Aircraft {
-    /// Reads one aircraft from TOML text and converts it to SI; `file` is its name for messages.
-    pub fn from_toml(file: &str, text: &str) -> Result<Self, ContentError> {
-        super::reader::with_file(file, text, super::aircraft_file::read)
-    }
-
     /// True airspeed of the reference \[m/s\].
     pub fn speed(&self) -> f64 {
         match &self.study {

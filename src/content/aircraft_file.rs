@@ -5,7 +5,7 @@ use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use super::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
 use super::airframe_file::{coefficient_study, derivative_study};
 use super::published::read_published;
-use super::reader::{Block, ContentError};
+use super::reader::{Block, ContentError, with_file};
 use super::shapes::{SHAPES, USUAL_SHAPE};
 use super::units::UnitSystem;
 use crate::flight::aircraft::coefficients::Airframe;
@@ -15,7 +15,7 @@ use crate::flight::aircraft::study::{CoefficientStudy, MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
-/// What a file starts from.
+/// The numbers that a file starts from.
 #[derive(Clone, Copy)]
 enum Basis {
     Coefficients,
@@ -25,8 +25,15 @@ enum Basis {
 const BASES: [(&str, Basis); 2] =
     [("coefficients", Basis::Coefficients), ("derivatives", Basis::Derivatives)];
 
+impl Aircraft {
+    /// Reads one aircraft from TOML text and converts it to SI; `file` is its name for messages.
+    pub fn from_toml(file: &str, text: &str) -> Result<Self, ContentError> {
+        with_file(file, text, read)
+    }
+}
+
 /// An aircraft from its file. A file with `length_unit` is one of bare matrices; others say their `basis`.
-pub(super) fn read(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
+fn read(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let aircraft = if file.has("length_unit") { read_matrices(file)? } else { read_data(file)? };
     file.finish()?;
     Ok(aircraft)

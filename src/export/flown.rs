@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::respond::Signal;
+use super::signal::Signal;
 use crate::flight::Experiment;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::motion::experiment::fly;
@@ -16,9 +16,9 @@ use crate::scenario::Scenario;
 pub enum FlightOutcome {
     /// The flight.
     Flown(FlightReport),
-    /// Why the aircraft can't be flown.
+    /// Refusal: the aircraft can't be flown.
     Refused {
-        /// In one sentence.
+        /// Reason, in one sentence.
         error: String,
     },
 }
@@ -29,19 +29,19 @@ pub enum FlightOutcome {
 pub struct FlightReport {
     /// Times of its samples \[s\]: those of the linear motion until it stops, and on where that is cut.
     pub time: Vec<f64>,
-    /// What moves, as a change from the steady flight, in the order of the linear motion's outputs.
+    /// Outputs, as changes from the steady flight, in the order of the linear motion's.
     pub outputs: Vec<Signal>,
-    /// Where and why it stopped; null where it flew to the end.
+    /// Early end of the flight; null where it flew to the end.
     pub stop: Option<StopReport>,
 }
 
-/// Where a flight stopped.
+/// Early end of a flight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Stop"))]
 pub struct StopReport {
-    /// When \[s\].
+    /// Time \[s\].
     pub time: f64,
-    /// Why, with the time, in one sentence.
+    /// Reason with the time, in one sentence.
     pub sentence: String,
 }
 

@@ -14,6 +14,7 @@ mod mode;
 mod plane;
 mod report;
 mod respond;
+mod signal;
 mod split;
 mod subject;
 mod sweep;
@@ -42,14 +43,15 @@ pub use list::{ParameterReport, list, parameters_of};
 pub use mode::ModeReport;
 pub use plane::{PlaneReport, StaticReport, StiffnessReport, TrimReport};
 pub use report::{PlaneOutcome, Report, Units, analyse};
-pub use respond::{ResponseReport, ResponseRequest, Signal, respond};
+pub use respond::{ResponseReport, ResponseRequest, respond};
+pub use signal::Signal;
 pub use split::{PartReport, SplitOutcome, SplitReport};
 pub use subject::{ExportError, Source, Subject};
 pub use sweep::{
     MOST_POINTS, Sweep, SweepChange, SweepMode, SweepPlane, SweepPoint, SweepReport, SweepRequest,
 };
 
-/// What is studied and what follows from it, SI and radians; an analysis that failed is a sentence.
+/// The scenario and its analysis, SI and radians; an analysis that failed is a sentence.
 pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) -> Value {
     let parameters: Map<String, Value> = parameters()
         .filter(|p| p.applies(scenario))

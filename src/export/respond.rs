@@ -10,14 +10,15 @@ use super::disturbance::{
 };
 use super::figures::FiguresReport;
 use super::flown::FlightOutcome;
+use super::signal::Signal;
 use super::split::SplitOutcome;
 use super::subject::{ExportError, Subject, plane_name};
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::MOST_STEPS;
 use crate::flight::{Analysis, Experiment, analyse};
-use crate::scenario::{Quantity, Scenario, Source};
+use crate::scenario::{Scenario, Source};
 
-/// Which disturbance, how finely its motion is wanted, and what else of it.
+/// A disturbance, the number of samples, and the extras that are wanted.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 #[serde(deny_unknown_fields)]
@@ -51,7 +52,7 @@ pub struct ResponseRequest {
 pub struct ResponseReport {
     /// The aircraft.
     pub aircraft: AircraftReport,
-    /// What was set on it, SI.
+    /// Values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
     /// `longitudinal` or `lateral`.
@@ -67,9 +68,9 @@ pub struct ResponseReport {
     pub mode: Option<&'static str>,
     /// Times of the samples \[s\].
     pub time: Vec<f64>,
-    /// What disturbs, at these times; none where the aircraft is let go.
+    /// Inputs at these times; none where the aircraft is let go.
     pub inputs: Vec<Signal>,
-    /// What moves, at these times, as a change from the steady flight: those of the plane, by their keys.
+    /// Outputs at these times, as changes from the steady flight: those of the plane, by their keys.
     pub outputs: Vec<Signal>,
     /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
     pub small_until: Option<f64>,
@@ -81,18 +82,6 @@ pub struct ResponseReport {
     pub split: Option<Vec<SplitOutcome>>,
     /// The same without linearising; null where it wasn't asked for.
     pub nonlinear: Option<FlightOutcome>,
-}
-
-/// One quantity over time.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Signal {
-    /// What it is.
-    pub name: &'static str,
-    /// Its SI unit; empty for a ratio.
-    pub unit: &'static str,
-    /// Its values, one a time.
-    pub values: Vec<f64>,
 }
 
 const STEPS: usize = 600;
@@ -163,13 +152,5 @@ fn figures(
     match (&analysis.motion, &analysis.planes[scenario.plane]) {
         (Some(motion), Some(Ok(analysed))) => Ok(FiguresReport::of(scenario, motion, &analysed.modes)),
         _ => Err(no_motion(scenario, analysis)),
-    }
-}
-
-impl Signal {
-    /// Values of an output.
-    pub(super) fn of(output: Output, values: Vec<f64>) -> Self {
-        let Quantity { key, dimension, .. } = Quantity::of(output);
-        Self { name: key, unit: dimension.si_symbol(), values }
     }
 }

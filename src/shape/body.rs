@@ -27,7 +27,7 @@ pub(super) fn faces(body: &Body, aircraft_length: f32) -> Vec<Face> {
     if let (Some(first), Some(last)) = (rings.first(), rings.last()) {
         let mut back = last.clone();
         back.reverse();
-        // Which way they face is set below, with the rest.
+        // Their sense is set below, with the rest.
         faces.extend(Face::flat(&back, body.material));
         if body.is_open {
             faces.extend(intake(first));
@@ -63,7 +63,7 @@ fn ring(station: &Station, y: f32, squareness: f32, segments: usize) -> Vec<Poin
     (0..segments).map(at).collect()
 }
 
-/// One more cross-section between each two where the body is curved, on a smooth curve without new bumps.
+/// Cross-sections with one more between each two where the body is curved, on a smooth curve without new bumps.
 fn refined(stations: &[Station]) -> Vec<Station> {
     let x: Vec<f32> = stations.iter().map(|station| station.x).collect();
     let between = |of: fn(&Station) -> f32| midway(&x, &stations.iter().map(of).collect::<Vec<_>>());

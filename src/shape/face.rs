@@ -6,14 +6,14 @@ use smallvec::SmallVec;
 /// A point or a direction.
 pub type Point = Vector3<f32>;
 
-/// What a face is made of, for its colour.
+/// Material of a face, for its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Material {
     /// The paint of the airframe.
     Skin,
     /// A stripe on the paint.
     Stripe,
-    /// What moves to steer.
+    /// A control surface.
     Control,
     /// Windows.
     Glass,
@@ -39,7 +39,7 @@ impl Material {
 /// A corner of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
-    /// Where it is \[m\].
+    /// Position \[m\].
     pub position: Point,
     /// Outward direction of the surface there, of unit length, for its light.
     pub normal: Point,
@@ -56,7 +56,7 @@ pub struct Face {
     pub vertices: Corners,
     /// Outward direction of its plane, of unit length.
     pub normal: Point,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// Whether it is seen from behind as well.
     pub is_double_sided: bool,
@@ -75,7 +75,7 @@ const ON_PLANE: f32 = 2e-4;
 /// A thinner face than this is none \[m²\].
 const SMALLEST_AREA: f32 = 1e-7;
 
-/// Where a face lies: before a plane, behind it, or cut by it.
+/// Side of a plane that a face is on: before it, behind it, or cut by it.
 pub(super) enum Side {
     Front(Face),
     Back(Face),
@@ -172,7 +172,7 @@ impl Face {
         }
     }
 
-    /// Which side of a plane it is on, cut in two where on both.
+    /// The side of a plane that it is on, cut in two where on both.
     pub(super) fn split(self, plane: &Plane) -> Side {
         match self.sides(plane) {
             (false, _) => return Side::Front(self),

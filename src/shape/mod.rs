@@ -1,4 +1,4 @@
-//! What an aircraft looks like: its geometry, the faces that follow, and the order in which to draw them.
+//! The looks of an aircraft: its geometry, the faces that follow, and the order in which to draw them.
 //!
 //! ```text
 //! Shape ──► body, surface, fittings ──► faces ──► Tree ──► Model ──► back to front, for any eye
@@ -16,11 +16,13 @@ mod body;
 mod face;
 mod fittings;
 mod model;
+mod moving;
 mod surface;
 mod tree;
 
 pub use face::{Face, Material, Point, Vertex};
-pub use model::{Deflections, Model};
+pub use model::Model;
+pub use moving::Deflections;
 
 /// The paint of an airframe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,9 +31,9 @@ pub enum Finish {
     White,
     /// Bare metal.
     Metal,
-    /// Black, as what gets hot.
+    /// Black paint, as on an airframe that gets hot.
     Black,
-    /// Dull green, as in war.
+    /// Dull green camouflage.
     Drab,
 }
 
@@ -67,7 +69,7 @@ pub struct Shape {
 /// A body lofted through cross-sections, twice where it stands beside the plane of symmetry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// Distance from the plane of symmetry \[m\].
     pub y: f32,
@@ -97,7 +99,7 @@ pub struct Station {
 /// Part of a body of another material: all that lies within the two ranges \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// From and to, aft of the nose.
     pub x: [f32; 2],
@@ -118,7 +120,7 @@ pub struct Surface {
     pub rounding: f32,
     /// Cross-sections from root to tip.
     pub sections: Vec<Section>,
-    /// What moves.
+    /// Its parts that move.
     pub controls: Vec<ControlSpan>,
 }
 
@@ -145,17 +147,17 @@ pub struct Section {
 /// Part of a surface that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ControlSpan {
-    /// What moves it.
+    /// The control that moves it.
     pub control: Control,
-    /// Where it begins, as a fraction of the way from root to tip.
+    /// Its inner end, as a fraction of the way from root to tip.
     pub from: f32,
-    /// Where it ends, likewise.
+    /// Its outer end, likewise.
     pub to: f32,
     /// Its chord over that of the surface: 1 where all of the surface moves.
     pub chord: f32,
 }
 
-/// What a moving surface follows.
+/// The control that a moving surface follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Control {
     /// The stick, fore and aft.

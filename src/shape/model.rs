@@ -1,33 +1,9 @@
-//! The faces of an aircraft, sorted for drawing, and what of it moves.
-
-use nalgebra::{Rotation3, Unit};
+//! The faces of an aircraft, sorted for drawing.
 
 use super::face::{Face, Point};
+use super::moving::{Deflections, Moving, in_body_axes, turned};
 use super::tree::Tree;
-use super::{Control, Propeller, Shape, body, fittings, surface};
-
-/// Positions of the controls \[rad\].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Deflections {
-    /// δe: trailing edge down positive, which pitches the nose down.
-    pub elevator: f32,
-    /// δa: the right aileron up and the left one down positive, which rolls to the right.
-    pub aileron: f32,
-    /// δr: trailing edge left positive, which turns the nose left.
-    pub rudder: f32,
-}
-
-/// A part that turns about a hinge.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Moving {
-    pub control: Control,
-    /// A point of the hinge.
-    pub hinge: Point,
-    /// Direction of the hinge: turned about it by a positive angle, a trailing edge goes down, or left.
-    pub axis: Point,
-    pub is_left: bool,
-    pub faces: Vec<Face>,
-}
+use super::{Propeller, Shape, body, fittings, surface};
 
 /// The faces of an aircraft in body axes, from the centre of gravity \[m\].
 #[derive(Clone, Debug)]
@@ -35,7 +11,7 @@ pub struct Model {
     fixed: Tree,
     moving: Vec<Moving>,
     propellers: Vec<Propeller>,
-    /// Of all faces but those of propellers.
+    /// Number of triangles in all faces but those of propellers.
     triangles: usize,
     cg: [f32; 2],
     /// Least and greatest x, y, z of what is fixed or undeflected \[m\].
@@ -134,59 +110,5 @@ impl Model {
     /// Triangles of all faces, seen or not.
     pub const fn triangles(&self) -> usize {
         self.triangles
-    }
-}
-
-/// From the axes of the drawing to those of the body: half a turn about y.
-fn in_body_axes(cg: [f32; 2], point: &Point) -> Point {
-    turned(&Point::new(point.x - cg[0], point.y, point.z - cg[1]))
-}
-
-fn turned(direction: &Point) -> Point {
-    Point::new(-direction.x, direction.y, -direction.z)
-}
-
-impl Moving {
-    fn mirrored(&self) -> Self {
-        let image = |p: &Point| Point::new(p.x, -p.y, p.z);
-        Self {
-            hinge: image(&self.hinge),
-            axis: image(&self.axis),
-            is_left: true,
-            faces: self.faces.iter().map(Face::mirrored).collect(),
-            ..*self
-        }
-    }
-
-    fn placed(&self, cg: [f32; 2]) -> Self {
-        let axis = turned(&self.axis);
-        // To the right for what moves up and down; down for a rudder.
-        let sense = if self.control == Control::Rudder { axis.z } else { axis.y };
-        Self {
-            hinge: in_body_axes(cg, &self.hinge),
-            axis: if sense < 0.0 { -axis } else { axis },
-            faces: self.faces.iter().map(|face| face.mapped(|p| in_body_axes(cg, p), turned)).collect(),
-            ..*self
-        }
-    }
-
-    /// How far it turns about its axis \[rad\].
-    fn angle(&self, deflections: Deflections) -> f32 {
-        let Deflections { elevator, aileron, rudder } = deflections;
-        // The right aileron goes up where the left one goes down.
-        let aileron = if self.is_left { aileron } else { -aileron };
-        match self.control {
-            Control::Elevator => elevator,
-            Control::Aileron => aileron,
-            Control::Rudder => rudder,
-            Control::Elevon => elevator + aileron,
-        }
-    }
-
-    fn deflected(&self, angle: f32) -> impl Iterator<Item = Face> + '_ {
-        let rotation = Rotation3::from_axis_angle(&Unit::new_unchecked(self.axis), angle);
-        self.faces.iter().map(move |face| {
-            face.mapped(|p| self.hinge + rotation * (p - self.hinge), |direction| rotation * direction)
-        })
     }
 }

@@ -1,10 +1,10 @@
 //! Wings, tailplanes and fins: lofted through cross-sections, with what moves cut out along its hinge.
 
 use super::face::{Face, Material, Point, grid, outward};
-use super::model::Moving;
+use super::moving::Moving;
 use super::{ControlSpan, Profile, Section, Surface};
 
-/// Where a cross-section has corners, as fractions of the chord.
+/// Corners of a cross-section, as fractions of the chord.
 const FRACTIONS: [f32; 6] = [0.0, 0.015, 0.09, 0.3, 0.65, 1.0];
 
 /// The hinge of a surface that moves as a whole, as a fraction of the chord.
@@ -179,7 +179,7 @@ fn cap(ring: &[Point], material: Material) -> Vec<Face> {
         .collect()
 }
 
-/// What moves: from its hinge to the trailing edge.
+/// The part that moves: from its hinge to the trailing edge.
 fn part(surface: &Surface, run: &[Cut], control: ControlSpan, from: f32) -> Option<Moving> {
     let hinge = if control.chord >= 1.0 { ALL_MOVING_HINGE } else { from };
     let (first, last) = (run.first()?, run.last()?);

@@ -102,7 +102,7 @@ fn by_distance(mut faces: Vec<Face>, eye: &Point, visit: &mut impl FnMut(&Face))
     faces.iter().for_each(visit);
 }
 
-/// How badly a plane parts faces: those it cuts, and how unlike the two sides are.
+/// Cost of parting faces by a plane: the faces that it cuts, and the inequality of the two sides.
 fn cost(faces: &[Face], plane: &Plane) -> (usize, usize, usize) {
     let (mut front, mut back) = (0, 0);
     for face in faces {

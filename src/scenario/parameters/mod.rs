@@ -8,9 +8,11 @@ mod disturbance;
 mod knobs;
 mod matrix;
 mod rate;
+mod rows;
 
 use std::ops::RangeInclusive;
 
+pub use rows::parameters;
 use thiserror::Error;
 
 use super::{Dimension, Scenario, Sizes};
@@ -32,7 +34,7 @@ pub enum Page {
     Dimensional,
     /// Entries of A and B.
     Matrix,
-    /// What disturbs the aircraft; not a page of its own.
+    /// Sizes of the disturbance; not a page of its own.
     Disturbance,
 }
 
@@ -66,7 +68,7 @@ impl Page {
     }
 }
 
-/// What a parameter multiplies or belongs to, in the order of the page.
+/// Variable that a parameter multiplies, or subject that it belongs to, in the order of the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// Speed u, and the steady forces.
@@ -138,7 +140,7 @@ impl Group {
     }
 }
 
-/// Where a parameter lives in the scenario.
+/// Place of a parameter in the scenario.
 #[derive(Clone, Copy, Debug)]
 enum Place {
     LongitudinalCoefficient(fn(&mut LongitudinalCoefficients) -> &mut f64),
@@ -166,7 +168,7 @@ enum Extent {
     Fixed { low: f64, high: f64 },
 }
 
-/// One adjustable quantity: a row of the table.
+/// An adjustable quantity: a row of the table.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Short name, never changed once published.
@@ -179,15 +181,15 @@ pub struct Parameter {
     pub page: Page,
     /// The plane whose page shows it; `None` for both.
     pub plane: Option<Plane>,
-    /// Where it stands on the page.
+    /// Its group on the page.
     pub group: Group,
     /// Its dimension, for its unit.
     pub dimension: Dimension,
-    /// What it means, in a sentence.
+    /// Its meaning, in a sentence.
     pub meaning: &'static str,
-    /// The sign that stabilises, or what the sign does.
+    /// The sign that stabilises, or the effect of a positive or a larger value.
     pub sign: &'static str,
-    /// The part of the aircraft it comes from; of a knob, the relation it uses.
+    /// The part of the aircraft that it comes from; the relation that a knob uses; empty for a disturbance.
     pub origin: &'static str,
     place: Place,
     extent: Extent,
@@ -200,7 +202,7 @@ impl PartialEq for Parameter {
     }
 }
 
-/// Why a value was refused.
+/// Refusal of a value.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ValueError {
     /// The text isn't a number.
@@ -225,22 +227,7 @@ pub enum ValueError {
 /// A derivative may be typed up to this many times its slider's extent; beyond that it is a slip of the finger.
 const TYPED_BEYOND: f64 = 100.0;
 
-/// Every row of the table, in the order of the pages.
-pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-    coefficients::ROWS
-        .iter()
-        .chain(&knobs::ROWS)
-        .chain(&dimensional::ROWS)
-        .chain(&matrix::ROWS)
-        .chain(&disturbance::ROWS)
-}
-
 impl Parameter {
-    /// The row with this key.
-    pub fn find(key: &str) -> Option<&'static Self> {
-        parameters().find(|p| p.key == key)
-    }
-
     /// Whether this aircraft has it: its source goes back that far, and the number is not zero by its structure.
     pub fn applies(&self, scenario: &Scenario) -> bool {
         self.value(scenario).is_some()
@@ -318,7 +305,7 @@ impl Parameter {
 
     /// Sets it to a value \[SI\] that [`Self::check`] has accepted; does nothing where the aircraft has none.
     ///
-    /// What follows from something else is set by an offset on it.
+    /// A value that follows from others is set by an offset on it.
     pub fn set(&self, scenario: &mut Scenario, value: f64) {
         if let Some(before) = self.value(scenario) {
             self.shift(scenario, before, value);
@@ -411,7 +398,7 @@ impl Parameter {
         (0.1 * self.get(scenario).abs()).max((range.end() - range.start()) / 60.0)
     }
 
-    /// What [`Self::check`] accepts \[SI\].
+    /// Range that [`Self::check`] accepts \[SI\].
     pub fn accepted(&self, scenario: &Scenario) -> RangeInclusive<f64> {
         let range = self.range(scenario);
         match self.extent {
