@@ -1,5 +1,7 @@
 //! Steady flight and the knobs: the identity at the reference, the right physics beside it, a sentence where it ends.
 
+use std::cell::Cell;
+use std::ops::Range;
 use std::sync::LazyLock;
 
 use eigenwing::content::embedded_aircraft;
@@ -13,6 +15,7 @@ use eigenwing::flight::aircraft::study::{CoefficientStudy, Models, Study, StudyE
 use eigenwing::flight::modes::eigen::eigen;
 use eigenwing::flight::verdicts::static_stability::static_margin;
 use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 
 fn margin(c: &Coefficients) -> f64 {
     static_margin(c.longitudinal.cm_alpha, c.longitudinal.cl_alpha).expect("a lift slope")
@@ -449,32 +452,56 @@ fn is_finite(model: &PlaneModel) -> bool {
         && model.a.iter().chain(&model.b).all(|x| x.is_finite())
 }
 
+/// Mostly within `tame`, so that most studies with a dozen of these have models.
+fn seldom_wild(tame: Range<f64>) -> impl Strategy<Value = f64> {
+    prop_oneof![19 => tame, 1 => wild()]
+}
+
 fn wild() -> impl Strategy<Value = f64> {
     prop_oneof![4 => -3.0..3.0, 2 => 0.9..1.1, 1 => any::<f64>(), 1 => Just(0.0), 1 => -1e6..1e6]
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
-
-    #[test]
-    fn whatever_the_knobs_the_models_are_finite_or_a_sentence(
-        which in 0_usize..5, k in prop::array::uniform8(wild()), c in prop::array::uniform3(wild()), row in 0_usize..15, x in wild(),
-    ) {
-        let all = all();
+#[test]
+fn whatever_the_knobs_the_models_are_finite_or_a_sentence() {
+    let cases = 4000;
+    let made = Cell::new(0);
+    let all = all();
+    let ratios = prop::array::uniform6(seldom_wild(0.7..1.4));
+    let changes = prop::array::uniform3(seldom_wild(-0.1..0.1));
+    let flight = (seldom_wild(0.8..1.3), seldom_wild(-1.0..2.0));
+    let inputs = (0_usize..5, ratios, changes, flight, 0_usize..15, wild());
+    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
+    let outcome = TestRunner::new(config).run(&inputs, |(which, ratios, changes, flight, row, x)| {
         let mut study = all[which % all.len()].1.clone();
         study.knobs = Knobs {
-            mass_ratio: k[0], ix_ratio: k[1], iy_ratio: k[2], iz_ratio: k[3],
-            cg_shift: k[4], tail_ratio: k[5], fin_ratio: k[6], dihedral_change: k[7],
+            mass_ratio: ratios[0],
+            ix_ratio: ratios[1],
+            iy_ratio: ratios[2],
+            iz_ratio: ratios[3],
+            tail_ratio: ratios[4],
+            fin_ratio: ratios[5],
+            cg_shift: changes[0],
+            dihedral_change: changes[1],
         };
-        study.condition.speed *= c[0];
-        study.condition.altitude += 1000.0 * c[1];
-        study.condition.gamma0 = c[2];
+        study.condition.speed *= flight.0;
+        study.condition.altitude += 1000.0 * flight.1;
+        study.condition.gamma0 = changes[2];
         *(LONGITUDINAL_COEFFICIENTS[row].of)(&mut study.coefficients.longitudinal) = x;
         match models(&study) {
-            Ok(made) => prop_assert!(made.planes.iter().flatten().all(is_finite)),
+            Ok(models) => {
+                made.set(made.get() + 1);
+                prop_assert!(models.planes.iter().flatten().all(is_finite));
+            }
             Err(problem) => prop_assert!(problem.to_string().len() > 20),
         }
-    }
+        Ok(())
+    });
+    outcome.expect("finite models or a sentence");
+    assert!(3 * made.get() > cases, "{} of {cases} have models", made.get());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
 
     #[test]
     fn two_shifts_of_the_centre_of_gravity_are_one(a in -0.5..0.5_f64, b in -0.5..0.5_f64) {

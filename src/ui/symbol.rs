@@ -245,11 +245,21 @@ mod tests {
     }
 
     #[test]
-    fn damaged_notation_is_set_as_it_stands() {
-        for text in ["", "_", "^", "C_", "C_{m", "C_}", "_{", "_{}", "a__b", "α^^2", "é_é"] {
-            let symbol = Symbol(text);
-            symbol.job(14.0, Color32::BLACK);
-            symbol.plain();
+    fn damaged_notation_loses_its_marks_and_nothing_else() {
+        for (text, set) in [
+            ("", ""),
+            ("_", ""),
+            ("^", ""),
+            ("_{}", ""),
+            ("_{", "{"),
+            ("C_", "C"),
+            ("C_{m", "C{m"),
+            ("C_}", "C}"),
+            ("a__b", "ab"),
+            ("α^^2", "α2"),
+            ("é_é", "éé"),
+        ] {
+            assert_eq!(Symbol(text).job(14.0, Color32::BLACK).text, set, "{text}");
         }
     }
 
