@@ -1,4 +1,4 @@
-//! What sizes a disturbance.
+//! The sizes of a disturbance.
 
 use super::{Extent, Group, Page, Parameter, Place};
 use crate::scenario::{Dimension, Sizes};
@@ -21,7 +21,7 @@ const fn row(
         dimension,
         meaning,
         sign,
-        origin: "Your choice.",
+        origin: "",
         place: Place::Disturbance(of),
         extent: Extent::Fixed { low, high },
     }
@@ -73,7 +73,10 @@ pub(super) const ROWS: [Parameter; 26] = [
         "for",
         "length of a part",
         (Dimension::Time, 0.02, 10.0),
-        ("How long a pulse is held, each half of a doublet, each unit of a 3-2-1-1.", "Positive."),
+        (
+            "How long a pulse is held, each half of a doublet, each unit of a 3-2-1-1.",
+            "Longer excites slower modes.",
+        ),
         |s| &mut s.part,
     ),
     row(
@@ -81,7 +84,10 @@ pub(super) const ROWS: [Parameter; 26] = [
         "ω",
         "frequency",
         (Dimension::Frequency, 0.05, 20.0),
-        ("Angular frequency of a sine, and of a sweep at its start.", "Positive."),
+        (
+            "Angular frequency of a sine, and of a sweep at its start.",
+            "Near the frequency of a lightly damped mode the motion is largest.",
+        ),
         |s| &mut s.frequency,
     ),
     row(
@@ -89,7 +95,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "to ω",
         "frequency at the end of the sweep",
         (Dimension::Frequency, 0.05, 20.0),
-        ("Angular frequency that a sweep ends with.", "Positive."),
+        ("Angular frequency that a sweep ends with.", "Below the first frequency the sweep runs downwards."),
         |s| &mut s.sweep_to,
     ),
     row(
@@ -97,7 +103,10 @@ pub(super) const ROWS: [Parameter; 26] = [
         "for",
         "length of the sine or sweep",
         (Dimension::Time, 1.0, 300.0),
-        ("How long a sine or a sweep lasts.", "Positive."),
+        (
+            "How long a sine or a sweep lasts.",
+            "Longer lets the start of a sine die away, and makes a sweep slower.",
+        ),
         |s| &mut s.lasting,
     ),
     row(
@@ -132,7 +141,10 @@ pub(super) const ROWS: [Parameter; 26] = [
         "for",
         "length of the gust",
         (Dimension::Time, 0.1, 30.0),
-        ("Time from calm to calm of a 1 − cosine gust.", "Positive."),
+        (
+            "Time from calm to calm of a 1 − cosine gust.",
+            "A gust as long as the period of a mode excites that mode.",
+        ),
         |s| &mut s.gust_length,
     ),
     row(
@@ -142,7 +154,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         (Dimension::AirSpeed, 0.0, 5.0),
         (
             "Root mean square of the vertical speed of the air; along and across it follows the altitude.",
-            "Positive.",
+            "The linear motion grows in proportion.",
         ),
         |s| &mut s.turbulence,
     ),
@@ -151,7 +163,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "sample",
         "number of the sample of turbulence",
         (Dimension::Count, 1.0, 99.0),
-        ("Which sample of turbulence: the same number is always the same air.", "A whole number."),
+        ("Number of the sample of turbulence: the same number is always the same air.", "A whole number."),
         |s| &mut s.seed,
     ),
     row(
@@ -226,7 +238,10 @@ pub(super) const ROWS: [Parameter; 26] = [
         "size",
         "size of the mode",
         (Dimension::Angle, 0.0, 0.5),
-        ("Flow angle or attitude in the mode at the start, whichever is larger.", "Positive."),
+        (
+            "Flow angle or attitude in the mode at the start, whichever is larger.",
+            "The linear motion grows in proportion.",
+        ),
         |s| &mut s.mode,
     ),
     row(
@@ -236,7 +251,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         (Dimension::Number, 0.1, 20.0),
         (
             "The disturbance times this. The linear model answers in proportion; the nonlinear flight does not.",
-            "Positive.",
+            "Above 1 the disturbance is larger than set, below 1 smaller.",
         ),
         |s| &mut s.times,
     ),
@@ -245,7 +260,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "t",
         "time shown",
         (Dimension::Time, 2.0, 300.0),
-        ("How long the motion is watched.", "Positive."),
+        ("How long the motion is watched.", "Short shows the fast modes, long the slow ones."),
         |s| &mut s.time,
     ),
 ];
