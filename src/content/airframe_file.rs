@@ -198,7 +198,7 @@ pub(super) fn coefficient_study(
         gravity: flight.gravity,
     };
     let (validity, source) = read_validity(file, reference.mach(), l.cl)?;
-    notes.push(source);
+    notes.push(format!("Limits of lift and Mach number. {source}"));
     let particulars = Particulars {
         mass: Some(mass),
         wing_area: Some(airframe.s),

@@ -1,4 +1,4 @@
-//! What an aircraft says of itself.
+//! An aircraft's name, source and status.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use crate::content::{Aircraft, Status};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
-/// Which aircraft was asked about.
+/// An aircraft's name, source and status.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Aircraft"))]
 pub struct AircraftReport {
@@ -17,13 +17,15 @@ pub struct AircraftReport {
     pub name: String,
     /// Flight condition in words.
     pub condition: String,
-    /// Where its numbers come from.
+    /// Source of its numbers.
     pub source: String,
     /// `verified` where every published number is reproduced, else `unverified`.
     #[cfg_attr(test, ts(type = "Status"))]
     pub status: &'static str,
-    /// Why, in a sentence or two.
+    /// Reason of the status, in a sentence or two.
     pub status_reason: String,
+    /// Remarks on the source: misprints, what is estimated, what is our assignment.
+    pub notes: Vec<String>,
     /// Class of MIL-F-8785C, our assignment.
     #[cfg_attr(test, ts(type = "AircraftClass | null"))]
     pub class: Option<&'static str>,
@@ -36,7 +38,7 @@ pub struct AircraftReport {
 }
 
 impl AircraftReport {
-    /// What an aircraft says of itself.
+    /// The report of an aircraft.
     pub fn of(aircraft: &Aircraft) -> Self {
         let name_of = |status| Status::NAMES.iter().find(|(_, s)| *s == status).map_or("", |(name, _)| name);
         let models = aircraft.study.models().unwrap_or_default();
@@ -48,6 +50,7 @@ impl AircraftReport {
             source: aircraft.source.clone(),
             status: name_of(aircraft.status),
             status_reason: aircraft.status_reason.clone(),
+            notes: aircraft.notes.clone(),
             class: aircraft
                 .class
                 .and_then(|class| Class::NAMES.iter().find(|(_, c)| *c == class).map(|&(name, _)| name)),

@@ -81,7 +81,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             };
             let text = format!("{} · {} · {status}", aircraft.name, aircraft.condition);
             let choice = ui.selectable_label(aircraft.key == now.key, text);
-            if choice.on_hover_text(&aircraft.status_reason).clicked() {
+            if choice.on_hover_text(remarks(&aircraft.status_reason, aircraft)).clicked() {
                 action = Some(Action::Load(aircraft.clone()));
                 ui.close();
             }
@@ -100,7 +100,14 @@ fn status_ui(ui: &mut Ui, scenario: &Scenario) {
         Status::Verified => ("✓ verified", palette.good),
         Status::Unverified => ("unverified", palette.warning),
     };
-    ui.label(RichText::new(text).font(theme::small()).color(color)).on_hover_text(&notes.status_reason);
+    let label = ui.label(RichText::new(text).font(theme::small()).color(color));
+    label.on_hover_text(remarks(&notes.status_reason, &scenario.aircraft));
+}
+
+/// The reason of a status, and below it the remarks on the aircraft's source.
+fn remarks(status_reason: &str, aircraft: &Aircraft) -> String {
+    let notes = aircraft.notes.iter().map(String::as_str);
+    std::iter::once(status_reason).chain(notes).collect::<Vec<_>>().join("\n\n")
 }
 
 /// Longitudinal or lateral–directional, where the aircraft has both.

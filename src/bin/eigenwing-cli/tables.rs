@@ -9,7 +9,7 @@ use eigenwing::number::significant;
 
 const DIGITS: usize = 4;
 
-/// One line under the head, nothing else: numbers are read down the columns.
+/// A line under the head, nothing else: numbers are read down the columns.
 const STYLE: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
 
 /// Rows that a person reads; more are for `--csv`.
@@ -85,6 +85,9 @@ pub fn analysis(report: &Report) -> String {
     let mut text = format!("{}: {} ({})\n", aircraft.name, aircraft.condition, aircraft.status);
     for (key, value) in &report.set {
         text += &format!("{key} = {}\n", number(*value));
+    }
+    for note in &aircraft.notes {
+        text += &format!("Note: {note}\n");
     }
     for (name, outcome) in [("Longitudinal", &report.longitudinal), ("Lateral–directional", &report.lateral)]
     {

@@ -1,6 +1,6 @@
 // Written by a test of src/export/typescript.rs from the Rust types, whose comments these are.
 
-/** Which aircraft was asked about. */
+/** An aircraft's name, source and status. */
 export type Aircraft = {
   /** Short name; `file` for bare matrices. */
   key: string,
@@ -8,12 +8,14 @@ export type Aircraft = {
   name: string,
   /** Flight condition in words. */
   condition: string,
-  /** Where its numbers come from. */
+  /** Source of its numbers. */
   source: string,
   /** `verified` where every published number is reproduced, else `unverified`. */
   status: Status,
-  /** Why, in a sentence or two. */
+  /** Reason of the status, in a sentence or two. */
   status_reason: string,
+  /** Remarks on the source: misprints, what is estimated, what is our assignment. */
+  notes: Array<string>,
   /** Class of MIL-F-8785C, our assignment. */
   class: AircraftClass | null,
   /** Flight-phase category of MIL-F-8785C, our assignment. */
@@ -24,13 +26,13 @@ export type Aircraft = {
 
 export type AircraftClass = "I" | "II" | "II-C" | "III" | "IV";
 
-/** What follows for an aircraft. */
+/** The analysis of an aircraft. */
 export type Analysis = {
   /** The aircraft. */
   aircraft: Aircraft,
   /** The unit of every number below, by the name of its field; numbers without one are ratios. */
   units: Record<string, string>,
-  /** What was set on it, SI. */
+  /** Values set on it, SI. */
   set: Record<string, number>,
   /** Longitudinal motion, x = [u, w, q, θ]; null where the aircraft has no data of it. */
   longitudinal: PlaneOutcome | null,
@@ -48,13 +50,13 @@ export type Analysis = {
 export type Approximation = {
   /** The mode that it approximates. */
   mode: string,
-  /** What it is called. */
+  /** Name of the approximation. */
   name: string,
   /** Its formula. */
   formula: string,
-  /** What it leaves out. */
+  /** Terms and motions that it leaves out. */
   neglects: string,
-  /** What it gives; null where it gives nothing. */
+  /** Its result; null where it gives none. */
   value: ModeValue | null,
   /** The exact mode; null where the aircraft has none. */
   exact: ModeValue | null,
@@ -73,7 +75,7 @@ export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust
 export type Figures = {
   /** When the disturbance begins [s]: times after it count from here. */
   start: number,
-  /** Of each output, in their order. */
+  /** Metrics of each output, in their order. */
   outputs: Array<OutputFigures>,
   /** Largest change of the load factor, normal or lateral after the plane, with its sign. */
   peak_load_factor: Peak | null,
@@ -89,21 +91,21 @@ export type Figures = {
 export type Flight = {
   /** Times of its samples [s]: those of the linear motion until it stops, and on where that is cut. */
   time: Array<number>,
-  /** What moves, as a change from the steady flight, in the order of the linear motion's outputs. */
+  /** Outputs, as changes from the steady flight, in the order of the linear motion's. */
   outputs: Array<Signal>,
-  /** Where and why it stopped; null where it flew to the end. */
+  /** Early end of the flight; null where it flew to the end. */
   stop: Stop | null,
 };
 
 /** A nonlinear flight, or why there is none. */
 export type FlightOutcome = Flight | {
-  /** In one sentence. */
+  /** Reason, in one sentence. */
   error: string,
 };
 
 export type FlightPhase = "A-combat" | "A" | "B" | "C";
 
-/** Of what to what, and where. */
+/** An input, an output, and the frequencies. */
 export type FrequencyRequest = {
   /** `longitudinal` or `lateral`; by default that of the disturbance, else that of the output, else the aircraft's first. */
   plane?: PlaneName,
@@ -123,15 +125,15 @@ export type FrequencyRequest = {
 export type FrequencyResponse = {
   /** The aircraft. */
   aircraft: Aircraft,
-  /** What was set on it, SI. */
+  /** Values set on it, SI. */
   set: Record<string, number>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
   /** The disturbance by its name in a request. */
   disturbance: ControlOrGust,
-  /** What enters: air is positive forward, downward and to the right, whatever the sense of the disturbance's size. */
+  /** The input: air is positive forward, downward and to the right, whatever the sense of the disturbance's size. */
   input: Measured,
-  /** What moves. */
+  /** The output. */
   output: Measured,
   /** Unit of the gain: that of the output for one of the input. */
   gain_unit: string,
@@ -167,7 +169,7 @@ export type JudgedValue = {
 
 /** A level of handling qualities. */
 export type Level = {
-  /** What was judged. */
+  /** The criterion. */
   criterion: string,
   /** `Level 1` to `Level 3`, or `Worse than Level 3`. */
   level: string,
@@ -187,15 +189,15 @@ export type MatrixFormat = "json" | "csv" | "m";
 
 /** A quantity and its unit. */
 export type Measured = {
-  /** What it is. */
+  /** Its key. */
   name: string,
   /** Its SI unit; empty for a ratio, as the throttle's. */
   unit: string,
 };
 
-/** One mode. */
+/** A mode. */
 export type Mode = {
-  /** What it is called. */
+  /** Name of the mode. */
   name: string,
   /** Why, with numbers. */
   reason: string,
@@ -229,11 +231,11 @@ export type Mode = {
   eigenvector: [[number, number], [number, number], [number, number], [number, number]],
   /** Left eigenvector l of unit length, lᴴ A = λ lᴴ. */
   left_eigenvector: [[number, number], [number, number], [number, number], [number, number]],
-  /** How far λ moves at worst for a relative change of A: 1 at best, 1e16 at a repeated root. */
+  /** Condition number of λ, its greatest movement for a relative change of A: 1 at best, 1e16 at a repeated root. */
   condition: number,
 };
 
-/** What an approximation or a mode is. */
+/** Frequency and damping, or a real root. */
 export type ModeValue = {
   /** ωₙ. */
   natural_frequency: number,
@@ -248,7 +250,7 @@ export type ModeValue = {
 export type Motion = {
   /** The aircraft. */
   aircraft: Aircraft,
-  /** What was set on it, SI. */
+  /** Values set on it, SI. */
   set: Record<string, number>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
@@ -260,9 +262,9 @@ export type Motion = {
   mode: string | null,
   /** Times of the samples [s]. */
   time: Array<number>,
-  /** What disturbs, at these times; none where the aircraft is let go. */
+  /** Inputs at these times; none where the aircraft is let go. */
   inputs: Array<Signal>,
-  /** What moves, at these times, as a change from the steady flight: those of the plane, by their keys. */
+  /** Outputs at these times, as changes from the steady flight: those of the plane, by their keys. */
   outputs: Array<Signal>,
   /** Time [s] from which the motion is no small disturbance any more, so that the linear model means nothing. */
   small_until: number | null,
@@ -290,7 +292,7 @@ export type OutputFigures = {
   rise_time: number | null,
   /** Time after the step from which it stays within 2 % of the steady value for ever, whether that is shown or not [s]. */
   settling_time: number | null,
-  /** How far it goes beyond the steady value, as a fraction of it. */
+  /** Overshoot beyond the steady value, as a fraction of it. */
   overshoot: number | null,
 };
 
@@ -300,9 +302,9 @@ export type Parameter = {
   key: string,
   /** Name in words. */
   name: string,
-  /** What it means. */
+  /** Its meaning, in a sentence. */
   meaning: string,
-  /** The sign that stabilises, or what the sign does. */
+  /** The sign that stabilises, or the effect of a positive or a larger value. */
   sign: string,
   /** SI unit of the numbers below; empty for a ratio. */
   unit: string,
@@ -310,17 +312,17 @@ export type Parameter = {
   plane: PlaneName | null,
   /** Value on this aircraft. */
   value: number,
-  /** Where a slider begins and ends: what is physical. */
+  /** Ends of its slider: the physical range. */
   slider: [number, number],
   /** Least and greatest value that is accepted. */
   accepted: [number, number],
 };
 
-/** What one mode makes of an output. */
+/** The part of one mode in an output. */
 export type Part = {
   /** Name of the mode. */
   mode: string,
-  /** One a time. */
+  /** A value at each time. */
   values: Array<number>,
 };
 
@@ -332,7 +334,7 @@ export type Peak = {
   time: number,
 };
 
-/** What follows for one plane of motion. */
+/** The analysis of one plane of motion. */
 export type Plane = {
   /** Names of the states, in the order of the rows and columns. */
   states: [string, string, string, string],
@@ -360,13 +362,13 @@ export type Plane = {
 
 export type PlaneName = "longitudinal" | "lateral";
 
-/** What follows for one plane, or why nothing does. */
+/** The analysis of one plane, or the reason why there is none. */
 export type PlaneOutcome = Plane | {
   /** In one sentence. */
   error: string,
 };
 
-/** Which disturbance, how finely its motion is wanted, and what else of it. */
+/** A disturbance, the number of samples, and the extras that are wanted. */
 export type ResponseRequest = {
   /** `longitudinal` or `lateral`; by default that of the disturbance, and the aircraft's first where it can be both. */
   plane?: PlaneName,
@@ -386,9 +388,9 @@ export type ResponseRequest = {
 
 export type Shape = "step" | "pulse" | "doublet" | "3-2-1-1" | "sine" | "sweep" | "1-cosine";
 
-/** One quantity over time. */
+/** A quantity over time. */
 export type Signal = {
-  /** What it is. */
+  /** Its key, such as `theta`. */
   name: string,
   /** Its SI unit; empty for a ratio. */
   unit: string,
@@ -402,9 +404,9 @@ export type Split = {
   name: string,
   /** Its SI unit; empty for a ratio. */
   unit: string,
-  /** One a mode, in the order of the modes. */
+  /** The part of each mode, in the order of the modes. */
   parts: Array<Part>,
-  /** What no mode makes: what the input does at once, and the drift of the path. */
+  /** The rest, which no mode makes: the immediate effect of the input, and the drift of the path. */
   rest: Array<number>,
 };
 
@@ -444,11 +446,11 @@ export type StaticStability = {
 
 export type Status = "verified" | "unverified";
 
-/** Where a flight stopped. */
+/** Early end of a flight. */
 export type Stop = {
-  /** When [s]. */
+  /** Time [s]. */
   time: number,
-  /** Why, with the time, in one sentence. */
+  /** Reason with the time, in one sentence. */
   sentence: string,
 };
 
@@ -468,13 +470,13 @@ export type Subject = {
   set?: { [key in string]: number },
 };
 
-/** What a sweep found. */
+/** Modes and verdicts along a sweep. */
 export type Sweep = {
   /** The aircraft. */
   aircraft: Aircraft,
   /** The unit of every number below, by the name of its field. */
   units: Record<string, string>,
-  /** What else was set on it, SI. */
+  /** Other values set on it, SI. */
   set: Record<string, number>,
   /** Key of the parameter. */
   parameter: string,
@@ -482,7 +484,7 @@ export type Sweep = {
   unit: string,
   /** The points in order. */
   points: Array<SweepPoint>,
-  /** Where a verdict changes. */
+  /** Changes of a verdict, with their places. */
   changes: Array<SweepChange>,
 };
 
@@ -494,7 +496,7 @@ export type SweepChange = {
   stability: StabilityKind,
   /** The points before and after it. */
   between: [number, number],
-  /** Where it is, by bisection; one of them, should there be several between the two. */
+  /** Value of the parameter there, by bisection; the value of one change, should there be several between the two points. */
   at: number,
   /** The verdict before. */
   from: Stability,
@@ -502,9 +504,9 @@ export type SweepChange = {
   to: Stability,
 };
 
-/** One mode at one point. */
+/** A mode at one point. */
 export type SweepMode = {
-  /** What it is called. */
+  /** Name of the mode. */
   name: string,
   /** Real part. */
   re: number,
@@ -516,11 +518,11 @@ export type SweepMode = {
   damping_ratio: number | null,
 };
 
-/** One plane at one point. */
+/** A plane of motion at one point. */
 export type SweepPlane = {
   /** `stable`, `neutral` or `unstable`. */
   static_stability: Stability,
-  /** That of the worst mode. */
+  /** Stability of the worst mode. */
   dynamic_stability: Stability,
   /** det A. */
   determinant: number,
@@ -528,7 +530,7 @@ export type SweepPlane = {
   modes: Array<SweepMode>,
 };
 
-/** One point of a sweep. */
+/** A point of a sweep. */
 export type SweepPoint = {
   /** Value of the parameter. */
   value: number,
@@ -536,11 +538,11 @@ export type SweepPoint = {
   longitudinal: SweepPlane | null,
   /** Lateral–directional motion, likewise. */
   lateral: SweepPlane | null,
-  /** Why a plane that has data has no modes here. */
+  /** Reason why a plane with data has no modes here. */
   error: string | null,
 };
 
-/** Which parameter goes from where to where. */
+/** A parameter, and the values that it goes through. */
 export type SweepRequest = {
   /** Key of the parameter. */
   parameter: string,
