@@ -3,6 +3,7 @@
 mod browser_tests;
 mod chromium;
 mod core_module;
+mod crate_sizes;
 mod finish_page;
 mod layers;
 mod licences;

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context as _, Result, bail};
 
+use crate::crate_sizes;
 use crate::packages;
 use crate::process;
 use crate::project::Project;
@@ -24,7 +25,7 @@ pub fn build(project: &Project) -> Result<()> {
     }
     process::run(trunk.args(["build", "--release", "--offline"]))?;
     println!("The page is in {}", project.dist().display());
-    Ok(())
+    crate_sizes::print(project)
 }
 
 /// Builds the release page and serves it until interrupted.
@@ -74,7 +75,7 @@ fn trunk(project: &Project) -> Result<Command> {
     Ok(command)
 }
 
-/// Where this machine reaches an address that may stand for all of them.
+/// An address at which this machine reaches another, which may stand for all of them.
 fn local(socket: SocketAddr) -> SocketAddr {
     match socket.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => ([127, 0, 0, 1], socket.port()).into(),

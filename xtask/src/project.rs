@@ -1,8 +1,11 @@
-//! Where the project is, and what its Cargo.lock pins.
+//! The project's folder, and the versions that its Cargo.lock pins.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
+
+/// Rust's name of what a browser runs.
+pub const WASM_TARGET: &str = "wasm32-unknown-unknown";
 
 pub struct Project {
     pub root: PathBuf,
@@ -15,6 +18,12 @@ impl Project {
             .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
         let root = xtask.parent().map_or_else(PathBuf::new, Path::to_path_buf);
         Self { root }
+    }
+
+    /// The folder that cargo builds into.
+    pub fn target(&self) -> PathBuf {
+        std::env::var_os("CARGO_TARGET_DIR")
+            .map_or_else(|| self.root.join("target"), |folder| self.root.join(folder))
     }
 
     /// The built page.

@@ -8,9 +8,7 @@ use anyhow::{Context as _, Result, bail};
 use etcetera::BaseStrategy as _;
 
 use crate::process;
-use crate::project::Project;
-
-const WASM_TARGET: &str = "wasm32-unknown-unknown";
+use crate::project::{Project, WASM_TARGET};
 
 pub struct Tool {
     package: &'static str,
