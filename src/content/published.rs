@@ -1,4 +1,4 @@
-//! What a source prints of an aircraft's modes.
+//! The modes of an aircraft as its source prints them.
 
 use super::reader::{Block, ContentError};
 
@@ -33,7 +33,7 @@ impl PublishedMode {
     }
 }
 
-/// Which number of a mode.
+/// Printed quantity of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Natural frequency ωn \[rad/s\].
@@ -55,16 +55,16 @@ impl Quantity {
     }
 }
 
-/// One published number.
+/// A published number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Published {
-    /// Of which mode.
+    /// The mode.
     pub mode: PublishedMode,
-    /// Which number; a pair printed as real and imaginary part is kept as ωn and ζ.
+    /// The quantity; a pair printed as real and imaginary part is kept as ωn and ζ.
     pub quantity: Quantity,
     /// Its value.
     pub value: f64,
-    /// How far half a unit of the last printed digit of every input moves it, where that is more than 3 %.
+    /// Change of the number when every input moves by half a unit of its last printed digit, where that is more than 3 %.
     pub rounding_band: Option<f64>,
 }
 

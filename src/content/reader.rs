@@ -13,7 +13,7 @@ pub struct ContentError {
     pub file: String,
     /// Line, counted from 1.
     pub line: usize,
-    /// What is wrong and what was expected.
+    /// The fault, and what was expected instead.
     pub problem: String,
 }
 
@@ -24,7 +24,7 @@ pub(super) struct Block<'t> {
     text: &'t str,
     /// Dotted name with a dot at its end; empty for the file itself.
     path: String,
-    /// Where it starts, for what is missing.
+    /// Line on which it starts, for errors about a missing key.
     start: usize,
     table: &'t DeTable<'t>,
     asked: Vec<&'t str>,
@@ -160,7 +160,7 @@ impl<'t> Block<'t> {
         self.optional_text(key)?.ok_or_else(|| self.missing(key, "a text in quotes"))
     }
 
-    /// One of a few words, if the key is there.
+    /// The meaning of one word out of a few, if the key is there.
     pub fn optional_choice<T: Copy>(
         &mut self,
         key: &'t str,
@@ -174,7 +174,7 @@ impl<'t> Block<'t> {
         })
     }
 
-    /// One of a few words.
+    /// The meaning of one word out of a few.
     pub fn choice<T: Copy>(&mut self, key: &'t str, choices: &[(&str, T)]) -> Result<T, ContentError> {
         self.optional_choice(key, choices)?.ok_or_else(|| self.missing(key, &one_of(choices)))
     }

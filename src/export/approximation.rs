@@ -11,13 +11,13 @@ use crate::words;
 pub struct ApproximationReport {
     /// The mode that it approximates.
     pub mode: &'static str,
-    /// What it is called.
+    /// Name of the approximation.
     pub name: &'static str,
     /// Its formula.
     pub formula: &'static str,
-    /// What it leaves out.
+    /// Terms and motions that it leaves out.
     pub neglects: &'static str,
-    /// What it gives; null where it gives nothing.
+    /// Its result; null where it gives none.
     pub value: Option<ValueReport>,
     /// The exact mode; null where the aircraft has none.
     pub exact: Option<ValueReport>,
@@ -27,7 +27,7 @@ pub struct ApproximationReport {
     pub damping_error: Option<f64>,
 }
 
-/// What an approximation or a mode is.
+/// Frequency and damping, or a real root.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ModeValue"))]
 #[serde(untagged)]

@@ -123,7 +123,7 @@ pub(super) fn choose_mode(
     Ok(names.get(choice.mode).copied())
 }
 
-/// Why nothing moves: the plane has no data, or its data no model.
+/// Error of a scenario without motion: the plane has no data, or its data no model.
 pub(super) fn no_motion(scenario: &Scenario, analysis: &Analysis) -> ExportError {
     match &analysis.planes[scenario.plane] {
         Some(Err(error)) => error.clone().into(),

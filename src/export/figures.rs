@@ -20,7 +20,7 @@ use crate::scenario::{Quantity, START, Scenario, Source};
 pub struct FiguresReport {
     /// When the disturbance begins \[s\]: times after it count from here.
     pub start: f64,
-    /// Of each output, in their order.
+    /// Metrics of each output, in their order.
     pub outputs: Vec<OutputFigures>,
     /// Largest change of the load factor, normal or lateral after the plane, with its sign.
     pub peak_load_factor: Option<PeakReport>,
@@ -48,7 +48,7 @@ pub struct OutputFigures {
     pub rise_time: Option<f64>,
     /// Time after the step from which it stays within 2 % of the steady value for ever, whether that is shown or not \[s\].
     pub settling_time: Option<f64>,
-    /// How far it goes beyond the steady value, as a fraction of it.
+    /// Overshoot beyond the steady value, as a fraction of it.
     pub overshoot: Option<f64>,
 }
 
@@ -68,14 +68,14 @@ impl FiguresReport {
         let plane = model.plane;
         let course = Course::new(model, forced, modes, experiment.grid.duration);
         let source = scenario.disturbance.choices[plane].source;
-        // What has no shape of its own to begin with disturbs from the first sample on.
+        // A disturbance without a start of its own acts from the first sample on.
         let start = if source.shapes().is_empty() { 0.0 } else { START };
         let load = match plane {
             Plane::Longitudinal => Output::NormalLoad,
             Plane::Lateral => Output::SideLoad,
         };
         let row = |output: Output| output.row(model, forced);
-        // Of irregular air neither is a figure of the aircraft.
+        // In turbulence neither says anything of the aircraft.
         let random = source == Source::Turbulence;
         let swing = || phugoid_swing(model, modes, forced, &row(Output::Height));
         let banked = || time_to_bank(&course, &row(Output::BankAngle), start);

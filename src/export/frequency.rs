@@ -23,7 +23,7 @@ pub const FREQUENCIES: [f64; 2] = [1e-6, 1e6];
 /// missed between two of them.
 const STEPS_FOLLOWED: usize = 2000;
 
-/// Of what to what, and where.
+/// An input, an output, and the frequencies.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 #[serde(deny_unknown_fields)]
@@ -50,7 +50,7 @@ pub struct FrequencyRequest {
 pub struct FrequencyReport {
     /// The aircraft.
     pub aircraft: AircraftReport,
-    /// What was set on it, SI.
+    /// Values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
     /// `longitudinal` or `lateral`.
@@ -59,9 +59,9 @@ pub struct FrequencyReport {
     /// The disturbance by its name in a request.
     #[cfg_attr(test, ts(type = "ControlOrGust"))]
     pub disturbance: &'static str,
-    /// What enters: air is positive forward, downward and to the right, whatever the sense of the disturbance's size.
+    /// The input: air is positive forward, downward and to the right, whatever the sense of the disturbance's size.
     pub input: Measured,
-    /// What moves.
+    /// The output.
     pub output: Measured,
     /// Unit of the gain: that of the output for one of the input.
     pub gain_unit: String,
@@ -79,7 +79,7 @@ pub struct FrequencyReport {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Measured {
-    /// What it is.
+    /// Its key.
     pub name: &'static str,
     /// Its SI unit; empty for a ratio, as the throttle's.
     pub unit: &'static str,

@@ -9,7 +9,7 @@ use crate::words;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Level"))]
 pub struct LevelReport {
-    /// What was judged.
+    /// The criterion.
     pub criterion: &'static str,
     /// `Level 1` to `Level 3`, or `Worse than Level 3`.
     pub level: &'static str,

@@ -1,4 +1,4 @@
-//! What there is to ask about: the aircraft, and the parameters of one of them.
+//! The lists to choose from: the aircraft, and the parameters of one of them.
 
 use serde::Serialize;
 
@@ -20,9 +20,9 @@ pub struct ParameterReport {
     pub key: &'static str,
     /// Name in words.
     pub name: &'static str,
-    /// What it means.
+    /// Its meaning, in a sentence.
     pub meaning: &'static str,
-    /// The sign that stabilises, or what the sign does.
+    /// The sign that stabilises, or the effect of a positive or a larger value.
     pub sign: &'static str,
     /// SI unit of the numbers below; empty for a ratio.
     pub unit: &'static str,
@@ -31,7 +31,7 @@ pub struct ParameterReport {
     pub plane: Option<&'static str>,
     /// Value on this aircraft.
     pub value: f64,
-    /// Where a slider begins and ends: what is physical.
+    /// Ends of its slider: the physical range.
     pub slider: [f64; 2],
     /// Least and greatest value that is accepted.
     pub accepted: [f64; 2],

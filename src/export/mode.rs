@@ -1,4 +1,4 @@
-//! One mode with all its numbers.
+//! A mode with all its numbers.
 
 use nalgebra::{Complex, Vector4};
 use serde::Serialize;
@@ -7,11 +7,11 @@ use super::plane::dynamic_word;
 use crate::flight::modes::mode::Mode;
 use crate::words;
 
-/// One mode.
+/// A mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Mode"))]
 pub struct ModeReport {
-    /// What it is called.
+    /// Name of the mode.
     pub name: &'static str,
     /// Why, with numbers.
     pub reason: String,
@@ -46,7 +46,7 @@ pub struct ModeReport {
     pub eigenvector: [[f64; 2]; 4],
     /// Left eigenvector l of unit length, lᴴ A = λ lᴴ.
     pub left_eigenvector: [[f64; 2]; 4],
-    /// How far λ moves at worst for a relative change of A: 1 at best, 1e16 at a repeated root.
+    /// Condition number of λ, its greatest movement for a relative change of A: 1 at best, 1e16 at a repeated root.
     pub condition: f64,
 }
 

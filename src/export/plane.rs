@@ -1,4 +1,4 @@
-//! What follows for one plane of motion.
+//! The analysis of one plane of motion.
 
 use nalgebra::Complex;
 use serde::Serialize;
@@ -12,7 +12,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
 
-/// What follows for one plane of motion.
+/// The analysis of one plane of motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Plane"))]
 pub struct PlaneReport {
@@ -111,7 +111,7 @@ pub const fn input_names(plane: Plane) -> [&'static str; 2] {
 }
 
 impl PlaneReport {
-    /// What follows as it is told.
+    /// The report of an analysis.
     pub fn of(analysis: &PlaneAnalysis) -> Self {
         let PlaneAnalysis { model, modes, dynamic_stability, static_stability, approximations, levels } =
             analysis;

@@ -8,7 +8,7 @@ use super::subject::{ExportError, Subject};
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::{Analysis, AnalysisError};
 
-/// What follows for an aircraft.
+/// The analysis of an aircraft.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Analysis"))]
 pub struct Report {
@@ -17,7 +17,7 @@ pub struct Report {
     /// The unit of every number below, by the name of its field; numbers without one are ratios.
     #[cfg_attr(test, ts(type = "Record<string, string>"))]
     pub units: Units,
-    /// What was set on it, SI.
+    /// Values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: std::collections::BTreeMap<String, f64>,
     /// Longitudinal motion, x = \[u, w, q, θ\]; null where the aircraft has no data of it.
@@ -70,14 +70,14 @@ impl Serialize for Units {
     }
 }
 
-/// What follows for one plane, or why nothing does.
+/// The analysis of one plane, or the reason why there is none.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum PlaneOutcome {
-    /// What follows.
+    /// The analysis.
     Analysed(Box<PlaneReport>),
-    /// Why nothing does.
+    /// No analysis.
     Failed {
         /// In one sentence.
         error: String,
@@ -85,7 +85,7 @@ pub enum PlaneOutcome {
 }
 
 impl PlaneOutcome {
-    /// What follows, if anything does.
+    /// The analysis, if there is one.
     pub fn report(&self) -> Option<&PlaneReport> {
         match self {
             Self::Analysed(report) => Some(report),

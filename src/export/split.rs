@@ -15,7 +15,7 @@ use crate::words;
 pub enum SplitOutcome {
     /// The parts.
     Split(SplitReport),
-    /// Why there are none.
+    /// No parts can be told.
     Refused {
         /// Name of the output.
         name: &'static str,
@@ -32,19 +32,19 @@ pub struct SplitReport {
     pub name: &'static str,
     /// Its SI unit; empty for a ratio.
     pub unit: &'static str,
-    /// One a mode, in the order of the modes.
+    /// The part of each mode, in the order of the modes.
     pub parts: Vec<PartReport>,
-    /// What no mode makes: what the input does at once, and the drift of the path.
+    /// The rest, which no mode makes: the immediate effect of the input, and the drift of the path.
     pub rest: Vec<f64>,
 }
 
-/// What one mode makes of an output.
+/// The part of one mode in an output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Part"))]
 pub struct PartReport {
     /// Name of the mode.
     pub mode: &'static str,
-    /// One a time.
+    /// A value at each time.
     pub values: Vec<f64>,
 }
 

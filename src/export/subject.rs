@@ -1,4 +1,4 @@
-//! What another program asks about: an aircraft of the list or of a text, and what is changed of it.
+//! The subject of a request: an aircraft of the list or of a text, and the values set on it.
 
 use std::sync::Arc;
 
@@ -11,25 +11,25 @@ use crate::flight::aircraft::study::StudyError;
 use crate::number::significant;
 use crate::scenario::{Parameter, Scenario, ValueError, parameters};
 
-/// Where the aircraft comes from. The library reads no files: whoever asks hands over their text.
+/// Origin of an aircraft. The library reads no files: the caller hands over their text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
-    /// One of the list, by its key.
+    /// An aircraft of the list, by its key.
     Listed(String),
     /// An aircraft file in the form of those under `assets/aircraft`.
     Toml {
         /// Its name, for messages.
         file: String,
-        /// What stands in it.
+        /// Its text.
         text: String,
     },
     /// Bare matrices.
     Matrices {
         /// Its name, for messages.
         file: String,
-        /// What stands in it.
+        /// Its text.
         text: String,
-        /// How it is written.
+        /// The form that it is written in.
         format: MatrixFormat,
     },
 }
@@ -37,14 +37,14 @@ pub enum Source {
 /// An aircraft with the parameters that are set on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
-    /// Where it comes from.
+    /// Origin of the aircraft.
     pub source: Source,
     /// Keys of the table of parameters and their values \[SI, radians\]. They are set in the order of that table, coefficients
     /// before what follows from them, so that each ends at its value.
     pub set: Vec<(String, f64)>,
 }
 
-/// Why a request can't be answered, in one sentence.
+/// Error of a request that can't be answered, in one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ExportError {
     /// The text of an aircraft can't be read.
@@ -53,7 +53,7 @@ pub enum ExportError {
     /// Not an aircraft of the list.
     #[error("there is no aircraft \"{name}\" in the list{}", did_you_mean(.nearest))]
     UnknownAircraft {
-        /// What was asked for.
+        /// The key in the request.
         name: String,
         /// The key most like it.
         nearest: Option<String>,
@@ -61,7 +61,7 @@ pub enum ExportError {
     /// Not a key of the table of parameters.
     #[error("there is no parameter \"{key}\"{}", did_you_mean(.nearest))]
     UnknownParameter {
-        /// What was asked for.
+        /// The key in the request.
         key: String,
         /// The key most like it.
         nearest: Option<String>,
@@ -105,7 +105,7 @@ pub enum ExportError {
     /// There is no such steady flight.
     #[error(transparent)]
     Study(#[from] StudyError),
-    /// What follows can't be had.
+    /// The analysis failed.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
     /// The request itself makes no sense.

@@ -24,7 +24,7 @@ pub const MOST_POINTS: usize = 100_000;
 /// A change of verdict is found to this fraction of the step between two points, 2⁻⁴⁰.
 const HALVINGS: usize = 40;
 
-/// Which parameter goes from where to where.
+/// A parameter, and the values that it goes through.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 #[serde(deny_unknown_fields)]
@@ -45,7 +45,7 @@ const fn some_points() -> usize {
     51
 }
 
-/// What a sweep found.
+/// Modes and verdicts along a sweep.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Sweep"))]
 pub struct SweepReport {
@@ -54,7 +54,7 @@ pub struct SweepReport {
     /// The unit of every number below, by the name of its field.
     #[cfg_attr(test, ts(type = "Record<string, string>"))]
     pub units: Units,
-    /// What else was set on it, SI.
+    /// Other values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
     /// Key of the parameter.
@@ -63,11 +63,11 @@ pub struct SweepReport {
     pub unit: &'static str,
     /// The points in order.
     pub points: Vec<SweepPoint>,
-    /// Where a verdict changes.
+    /// Changes of a verdict, with their places.
     pub changes: Vec<SweepChange>,
 }
 
-/// One point of a sweep.
+/// A point of a sweep.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepPoint {
@@ -77,18 +77,18 @@ pub struct SweepPoint {
     pub longitudinal: Option<SweepPlane>,
     /// Lateral–directional motion, likewise.
     pub lateral: Option<SweepPlane>,
-    /// Why a plane that has data has no modes here.
+    /// Reason why a plane with data has no modes here.
     pub error: Option<String>,
 }
 
-/// One plane at one point.
+/// A plane of motion at one point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepPlane {
     /// `stable`, `neutral` or `unstable`.
     #[cfg_attr(test, ts(type = "Stability"))]
     pub static_stability: &'static str,
-    /// That of the worst mode.
+    /// Stability of the worst mode.
     #[cfg_attr(test, ts(type = "Stability"))]
     pub dynamic_stability: &'static str,
     /// det A.
@@ -97,11 +97,11 @@ pub struct SweepPlane {
     pub modes: Vec<SweepMode>,
 }
 
-/// One mode at one point.
+/// A mode at one point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepMode {
-    /// What it is called.
+    /// Name of the mode.
     pub name: &'static str,
     /// Real part.
     pub re: f64,
@@ -125,7 +125,7 @@ pub struct SweepChange {
     pub stability: &'static str,
     /// The points before and after it.
     pub between: [f64; 2],
-    /// Where it is, by bisection; one of them, should there be several between the two.
+    /// Value of the parameter there, by bisection; the value of one change, should there be several between the two points.
     pub at: f64,
     /// The verdict before.
     #[cfg_attr(test, ts(type = "Stability"))]
@@ -225,7 +225,7 @@ impl Sweep {
         SweepPoint { value, longitudinal, lateral, error }
     }
 
-    /// Where one verdict turns from stable to unstable or back. A point on the boundary is neither; across points without
+    /// Places where a verdict turns from stable to unstable or back. A point on the boundary is neither; across points without
     /// modes nothing is said.
     fn find_changes(&self, plane: Plane, kind: Verdict, points: &[SweepPoint], found: &mut Vec<SweepChange>) {
         let mut before: Option<(f64, &'static str)> = None;
@@ -247,7 +247,7 @@ impl Sweep {
         }
     }
 
-    /// Where the verdict stops being `from`.
+    /// Value at which the verdict stops being `from`.
     fn boundary(&self, plane: Plane, kind: Verdict, from: &str, [mut before, mut after]: [f64; 2]) -> f64 {
         for _ in 0..HALVINGS {
             let middle = 0.5 * (before + after);

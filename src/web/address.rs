@@ -15,7 +15,7 @@ const INTERVAL: f64 = 0.5;
 /// Name of the last scene in the browser's storage.
 const LAST_SCENE: &str = "eigenwing.last-scene";
 
-/// What is known of the address bar.
+/// The state of the address bar.
 #[derive(Debug, Default)]
 pub struct AddressBar {
     /// The fragment as it was last read or written, with its `#`.

@@ -1,4 +1,4 @@
-//! What is left to do on a page that Trunk has built.
+//! The last steps on a page that Trunk has built.
 //!
 //! The content security policy allows no inline script but Trunk's own, which starts the program.
 //! Its text holds the hashed names of the files, so its hash is known only after a build.
@@ -6,7 +6,7 @@
 //! Trunk gives the program's preload an `integrity` that browsers ignore, and say so on every
 //! start (crbug.com/981419); it is removed. Scripts and styles keep theirs.
 //!
-//! The program of a release page is made smaller by wasm-opt: its name keeps the hash of what Trunk has built, of which it follows.
+//! The program of a release page is made smaller by wasm-opt: its name keeps the hash of Trunk's output.
 //!
 //! Beside a release page goes the core as a JavaScript module. Here, so that it is there however Trunk was
 //! called, and Trunk puts all of it in place at once.

@@ -13,7 +13,7 @@ struct Stage {
     run: fn(&Project) -> Result<()>,
 }
 
-/// What is quick or most often wrong comes first.
+/// The quick ones, and those that fail most often, come first.
 const STAGES: [Stage; 10] = [
     Stage { name: "format", run: check_format },
     Stage { name: "layers", run: layers::check },

@@ -1,4 +1,4 @@
-//! What can be typed.
+//! The arguments of the command line.
 
 use std::path::PathBuf;
 
@@ -108,7 +108,7 @@ pub enum Command {
     },
 }
 
-/// Which aircraft, and what is set on it.
+/// An aircraft, and the values set on it.
 #[derive(Args)]
 pub struct SubjectArguments {
     /// An aircraft of the list, or an aircraft file, FILE.toml

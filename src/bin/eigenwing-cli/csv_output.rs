@@ -47,7 +47,7 @@ pub fn parameters(parameters: &[ParameterReport]) -> String {
     csv(head, parameters.iter().map(row))
 }
 
-/// One row a mode.
+/// A row for each mode.
 pub fn analysis(report: &Report) -> String {
     let head = [
         "plane",
@@ -88,7 +88,7 @@ pub fn analysis(report: &Report) -> String {
     csv(head, rows)
 }
 
-/// One row a sample; in every row a cell for each quantity, empty where it has no sample there.
+/// A row for each sample; in every row a cell for each quantity, empty where it has no sample there.
 pub fn response(report: &ResponseReport) -> String {
     let flight = report.nonlinear.as_ref().and_then(FlightOutcome::flight);
     let time = match flight {
@@ -117,7 +117,7 @@ pub fn response(report: &ResponseReport) -> String {
     lines.join("\n") + "\n"
 }
 
-/// What columns can't say: why some of those asked for aren't there, or end early.
+/// Notes that columns can't hold: why some of those asked for aren't there, or end early.
 pub fn response_notes(report: &ResponseReport) -> Vec<String> {
     let split = report.split.iter().flatten().filter_map(|outcome| match outcome {
         SplitOutcome::Refused { name, error } => Some(format!("{name} is not split: {error}")),
@@ -132,7 +132,7 @@ pub fn response_notes(report: &ResponseReport) -> Vec<String> {
     split.chain(flight).collect()
 }
 
-/// One row a frequency.
+/// A row for each frequency.
 pub fn frequency(report: &FrequencyReport) -> String {
     let gain = heading("gain", &report.gain_unit);
     let values = report.frequency.iter().zip(&report.gain).zip(&report.phase);
@@ -140,7 +140,7 @@ pub fn frequency(report: &FrequencyReport) -> String {
     csv(["frequency [rad/s]", gain.as_str(), "phase [rad]"], values.map(row))
 }
 
-/// One row a point and mode: modes come and go along a sweep, so they are no columns.
+/// A row for each point and mode: modes come and go along a sweep, so they are no columns.
 pub fn sweep(report: &SweepReport) -> String {
     let value = heading(report.parameter, report.unit);
     let head = [

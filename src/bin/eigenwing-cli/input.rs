@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::arguments::SubjectArguments;
 
-/// Why there is no answer, in one line.
+/// Error that ends the program, in one line.
 #[derive(Debug, Error)]
 pub enum InputError {
     #[error(transparent)]

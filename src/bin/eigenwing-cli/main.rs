@@ -42,7 +42,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What a command prints.
+/// Output of a command.
 fn answer(command: &Command) -> Result<String, InputError> {
     Ok(match command {
         Command::List { output } => {

@@ -90,7 +90,7 @@ fn figures(figures: &FiguresReport) -> String {
     text
 }
 
-/// How large the part of each mode becomes: a row an output, a column a mode.
+/// Largest values of the parts of the modes: a row for each output, a column for each mode.
 fn parts(outcomes: &[SplitOutcome]) -> String {
     let splits: Vec<&SplitReport> = outcomes.iter().filter_map(SplitOutcome::split).collect();
     let mut text = String::new();

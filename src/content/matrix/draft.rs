@@ -1,4 +1,4 @@
-//! What a file of matrices says, whatever its form, and the aircraft that follows.
+//! The content of a file of matrices, whatever its form, and the aircraft that follows.
 
 use crate::content::shapes::USUAL_SHAPE;
 use nalgebra::{Matrix4, Matrix4x2};
@@ -21,7 +21,7 @@ pub(super) struct At<T> {
     pub value: T,
 }
 
-/// What stands behind the name of a setting.
+/// Value of a setting: the text after its name.
 #[derive(Clone, Debug)]
 pub(super) enum Entry {
     Number(f64),
@@ -163,7 +163,7 @@ impl Draft {
         let inputs = self.inputs(plane)?;
         let trim = self.trim(length)?;
 
-        // One of the file's unit of each state in SI, and of each input: x_SI = T x, δ_SI = D δ
+        // The file's unit of each state and of each input, in SI: x_SI = T x, δ_SI = D δ
         let state_scale = states.map(|state| match (state.kind, plane) {
             (Kind::Velocity, _) => length,
             (Kind::FlowAngle, Plane::Longitudinal) => trim.u0() * angle,
@@ -212,7 +212,7 @@ impl Draft {
             .ok_or_else(|| (units.line, format!("units: expected {expected}, found \"{}\"", units.value)))
     }
 
-    /// One of the file's unit of angle in radians.
+    /// The file's unit of angle in radians.
     fn angle(&self) -> Result<f64, Problem> {
         match self.text("angles")? {
             None => Ok(1.0),
@@ -257,7 +257,7 @@ impl Draft {
         Ok(states)
     }
 
-    /// One for each column of B.
+    /// A value for each column of B.
     fn inputs(&self, plane: Plane) -> Result<Vec<Input>, Problem> {
         let Some(b) = self.find("B") else { return Ok(Vec::new()) };
         let missing =

@@ -40,7 +40,7 @@ pub(super) fn read(text: &str) -> Result<Draft, Problem> {
     if !draft.has("A") {
         return Err((1, "A: missing; expected a line that begins with \"A = [\"".to_owned()));
     }
-    // Where a variable says it, a comment is only a comment.
+    // A comment counts only if no variable says the same.
     comments.retain(|(key, _)| !draft.has(key));
     for (key, At { line, value }) in comments {
         draft.set(key, line, value)?;

@@ -13,7 +13,7 @@
 //! | `A`, \[`B`\] | four rows; without B there are no inputs |
 //! | \[`name`\] | words for a title |
 //!
-//! What is read is turned by an exact similarity into the order, units and states of [`crate::flight`].
+//! An exact similarity turns the matrices read into the order, units and states of [`crate::flight`].
 
 mod draft;
 mod form_csv;
@@ -26,7 +26,7 @@ use super::aircraft::{Aircraft, ContentError};
 /// A form in which matrices are written down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MatrixFormat {
-    /// One object: `{"units": "SI", "speed": 54, "states": […], "inputs": […], "A": [[…], …], "B": [[…], …]}`.
+    /// An object: `{"units": "SI", "speed": 54, "states": […], "inputs": […], "A": [[…], …], "B": [[…], …]}`.
     Json,
     /// Settings such as `units,SI`, then a row of names (states, then inputs), then a row of numbers for each state; a row may
     /// begin with the name of its state.

@@ -3,7 +3,7 @@
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
 
-/// What a state is measured in, and so how it becomes SI.
+/// Dimension of a state, which says how it becomes SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A velocity: u, w, v.

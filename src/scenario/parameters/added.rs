@@ -1,4 +1,4 @@
-//! What a person has added to a parameter that follows from others: its offset.
+//! The offset that a person has added to a parameter that follows from others.
 
 use super::{Parameter, Place, ValueError};
 use crate::flight::aircraft::edits::Offsets;
@@ -9,7 +9,7 @@ use crate::scenario::Scenario;
 const ADDED_BEYOND: f64 = 1e6;
 
 impl Parameter {
-    /// What is added to the value that follows from the rest \[SI\]; `None` for a parameter that follows from nothing.
+    /// Offset on the value that follows from the rest \[SI\]; `None` for a parameter that follows from nothing.
     pub fn added(&self, scenario: &Scenario) -> Option<f64> {
         let mut offsets = scenario.edited.offsets.clone();
         self.offset(&mut offsets).map(|(offset, sign)| sign * *offset)

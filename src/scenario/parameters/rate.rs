@@ -1,4 +1,4 @@
-//! How fast the state matrix moves with a parameter: the chain from the parameter to A with numbers that carry their rate.
+//! Rate of the state matrix with a parameter: the chain from the parameter to A, on numbers that carry their rate.
 
 use nalgebra::Matrix4;
 
