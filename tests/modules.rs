@@ -282,3 +282,17 @@ fn no_files_of_the_core_use_each_other_in_a_circle_but_those_with_a_reason() {
     let known = CIRCLES.iter().map(|(files, _)| files.iter().map(|&file| file.to_owned()).collect());
     assert_eq!(circles, known.collect());
 }
+
+#[test]
+fn every_path_in_the_architecture_leads_to_a_file() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(root.join("ARCHITECTURE.md")).expect("it stands at the top");
+    let folders = ["assets/", "docs/", "src/", "tests/", "xtask/"];
+    let is_path =
+        |name: &String| folders.iter().any(|folder| name.starts_with(folder)) && !name.contains('*');
+    let prose = text.split("```").step_by(2);
+    let paths: Vec<String> = prose.flat_map(quoted).filter(is_path).collect();
+    assert!(paths.len() > 30, "{paths:?}");
+    let lost: Vec<_> = paths.iter().filter(|path| !root.join(path).exists()).collect();
+    assert!(lost.is_empty(), "{lost:?}");
+}
