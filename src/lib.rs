@@ -22,6 +22,25 @@
 //! | `bin/` (features `cli`, `javascript`) | the command line; the core as a JavaScript module | how anything is computed |
 //!
 //! A module may use those above it, never those below.
+//!
+//! # The Navion in ten lines
+//!
+//! ```
+//! use eigenwing::content::embedded_aircraft;
+//! use eigenwing::flight::modes::mode_name::ModeName;
+//! use eigenwing::scenario::{Parameter, Scenario};
+//!
+//! let (aircraft, _) = embedded_aircraft();
+//! let navion = aircraft.into_iter().find(|aircraft| aircraft.key == "navion").expect("it ships");
+//! let mut scenario = Scenario::new(navion.into());
+//! // Less stiff in pitch than the source's −0.683.
+//! Parameter::find("cm_alpha").expect("a row of the table").set(&mut scenario, -0.5);
+//! let analysis = scenario.analyse().expect("it flies");
+//! let Some(Ok(longitudinal)) = &analysis.planes.longitudinal else { panic!("it has longitudinal data") };
+//! let names: Vec<ModeName> = longitudinal.modes.iter().map(|mode| mode.naming.name).collect();
+//! assert_eq!(names, [ModeName::ShortPeriod, ModeName::Phugoid]);
+//! assert!(longitudinal.modes.iter().all(|mode| mode.lambda.re < 0.0));
+//! ```
 
 pub mod content;
 pub mod export;
