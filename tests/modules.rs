@@ -22,8 +22,6 @@ const CIRCLES: [(&[&str], &str); 2] = [
     (
         &[
             "scenario/link/mod.rs",
-            "scenario/link/notice.rs",
-            "scenario/link/number.rs",
             "scenario/link/pieces.rs",
             "scenario/link/sight.rs",
             "scenario/link/words.rs",
