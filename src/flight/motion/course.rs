@@ -73,8 +73,7 @@ impl<'a> Course<'a> {
         edges.sort_by(f64::total_cmp);
         let (mut from, mut left, mut step) = (first, MOST_NODES, None);
         for edge in edges {
-            // Written so that NaN is no piece.
-            if !(edge > from.time) {
+            if edge.is_nan() || edge <= from.time {
                 continue;
             }
             let piece = course.piece(model, modes, from, edge, (&mut left, &mut step));
@@ -114,14 +113,13 @@ impl<'a> Course<'a> {
         for stretch_end in ends {
             let last = nodes.len() - 1;
             let begin = nodes[last].time;
-            if !(stretch_end > begin) {
+            if stretch_end.is_nan() || stretch_end <= begin {
                 continue;
             }
             let alive = modes.iter().filter(|mode| start + dead_after(mode) > begin);
             let fastest = alive.map(|mode| mode.lambda.norm()).fold(of_inputs, f64::max);
             let count = ((stretch_end - begin) * fastest / SPACING).ceil().max(least);
-            // Written so that NaN is too many.
-            if !(count <= *left as f64) {
+            if count.is_nan() || count > *left as f64 {
                 self.is_cut = true;
                 return nodes;
             }

@@ -81,15 +81,16 @@ pub fn step_figures(
     })
 }
 
-/// First time at which a falling function is down to a level, to a part in a thousand of it; zero if it is at once, `None` if it
+/// A time at which a falling function is down to a level, at most half as long again as the first; zero if it is at once, `None` if it
 /// doesn't come there in 10⁷ s.
 fn falls_to(size: impl Fn(f64) -> f64, level: f64) -> Option<f64> {
-    if size(0.0) <= level {
+    // NaN never is.
+    let is_down = |t: f64| size(t) <= level;
+    if is_down(0.0) {
         return Some(0.0);
     }
     let mut high = 1e-3;
-    // Written so that NaN never is.
-    while !(size(high) <= level) {
+    while !is_down(high) {
         high *= 1.5;
         if high > 1e7 {
             return None;
