@@ -253,7 +253,7 @@ fn a_roll_that_grows_is_worse_than_level_3() {
     model.a[(1, 1)] = 2.0;
     model.a[(1, 3)] = -0.19;
     let all = modes_of(Plane::Lateral, &model.a).expect("modes");
-    let roll = all.iter().find(|m| m.naming.name == ModeName::RollSubsidence).expect("a roll");
+    let roll = all.iter().find(|m| m.naming.name == ModeName::RollDivergence).expect("a roll");
     assert!((roll.lambda.re - 1.9).abs() < 1e-9 && roll.naming.reason.facts.contains(&Fact::RollDriven));
     assert_eq!(verdict(&model, Class::I, Category::B, Criterion::RollMode).level, Level::Beyond);
 }

@@ -96,8 +96,8 @@ fn with_gravity_in_the_same_unit_the_lesson_is_the_navion() {
 #[test]
 fn names_follow_the_structure_of_the_roots_through_the_static_limit() {
     use ModeName::{
-        Divergence, Phugoid, PhugoidFastRoot, PhugoidSlowRoot, ShortPeriod, ShortPeriodFastRoot,
-        ShortPeriodSlowRoot, ThirdOscillatory,
+        Phugoid, PhugoidFastRoot, PhugoidSlowRoot, PitchDivergence, ShortPeriod, ShortPeriodFastRoot,
+        ShortPeriodSlowRoot, SpeedDivergence,
     };
     let navion = longitudinal("navion").model;
     let entry = (Longitudinal::Q.index(), Longitudinal::W.index());
@@ -106,8 +106,8 @@ fn names_follow_the_structure_of_the_roots_through_the_static_limit() {
         (0.24, vec![ShortPeriod, Phugoid]),
         (0.0, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, Phugoid]),
         (-0.26, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, PhugoidSlowRoot]),
-        (-0.3, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, Divergence]),
-        (-3.0, vec![ShortPeriodFastRoot, ThirdOscillatory, Divergence]),
+        (-0.3, vec![ShortPeriodFastRoot, ShortPeriodSlowRoot, PhugoidFastRoot, SpeedDivergence]),
+        (-3.0, vec![ShortPeriodFastRoot, PitchDivergence, Phugoid]),
     ] {
         let mut model = navion.clone();
         model.a[entry] *= factor;

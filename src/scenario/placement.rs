@@ -164,18 +164,28 @@ impl Scenario {
         use ModeName as Name;
         let Some(mode) = modes.get(index) else { return Vec::new() };
         let named: [&[&str]; 3] = match mode.naming.name {
-            Name::ShortPeriod | Name::ShortPeriodFastRoot | Name::ShortPeriodSlowRoot => {
-                [&["cm_alpha", "cm_q"], &["m_w", "m_q"], &["a_qw", "a_qq"]]
-            }
+            Name::ShortPeriod
+            | Name::ShortPeriodFastRoot
+            | Name::ShortPeriodSlowRoot
+            | Name::PitchSubsidence
+            | Name::PitchDivergence => [&["cm_alpha", "cm_q"], &["m_w", "m_q"], &["a_qw", "a_qq"]],
             Name::Phugoid | Name::PhugoidFastRoot | Name::PhugoidSlowRoot => {
                 [&["cl", "cd"], &["z_u", "x_u"], &["a_wu", "a_uu"]]
             }
-            Name::DutchRoll | Name::DutchRollMoreStableRoot | Name::DutchRollLessStableRoot => {
-                [&["cn_beta", "cn_r"], &["n_v", "n_r"], &["a_rv", "a_rr"]]
-            }
-            Name::RollSubsidence => [&["croll_p"], &["l_p"], &["a_pp"]],
+            Name::DutchRoll
+            | Name::DutchRollMoreStableRoot
+            | Name::DutchRollLessStableRoot
+            | Name::SideslipSubsidence
+            | Name::DirectionalDivergence => [&["cn_beta", "cn_r"], &["n_v", "n_r"], &["a_rv", "a_rr"]],
+            Name::RollSubsidence | Name::RollDivergence => [&["croll_p"], &["l_p"], &["a_pp"]],
             Name::Spiral => [&["croll_beta", "cn_r"], &["l_v", "n_r"], &["a_pv", "a_rr"]],
-            Name::ThirdOscillatory | Name::Divergence | Name::CoupledRollSpiral => [&[], &[], &[]],
+            Name::ThirdOscillatory
+            | Name::SpeedSubsidence
+            | Name::SpeedDivergence
+            | Name::CoupledRollSpiral
+            | Name::LateralOscillation
+            | Name::LateralSubsidence
+            | Name::LateralDivergence => [&[], &[], &[]],
         };
         let named = Page::DERIVATIVES.iter().position(|other| *other == page).map_or(&[][..], |i| named[i]);
         let all = by_strength(rows, index);

@@ -394,14 +394,20 @@ impl Palette {
     const fn tone(&self, name: ModeName) -> Tone {
         match name {
             ModeName::ShortPeriod | ModeName::ShortPeriodFastRoot => self.short_period,
-            ModeName::ShortPeriodSlowRoot => self.short_period_slow,
+            ModeName::ShortPeriodSlowRoot | ModeName::PitchSubsidence | ModeName::PitchDivergence => {
+                self.short_period_slow
+            }
             ModeName::Phugoid | ModeName::PhugoidFastRoot | ModeName::CoupledRollSpiral => self.phugoid,
-            ModeName::PhugoidSlowRoot => self.phugoid_slow,
-            ModeName::ThirdOscillatory => self.third_mode,
-            ModeName::Divergence => self.divergence,
-            ModeName::DutchRoll | ModeName::DutchRollMoreStableRoot => self.dutch_roll,
-            ModeName::DutchRollLessStableRoot => self.dutch_roll_slow,
-            ModeName::RollSubsidence => self.roll,
+            ModeName::PhugoidSlowRoot | ModeName::SpeedSubsidence => self.phugoid_slow,
+            ModeName::ThirdOscillatory | ModeName::LateralOscillation => self.third_mode,
+            ModeName::SpeedDivergence | ModeName::LateralSubsidence | ModeName::LateralDivergence => {
+                self.divergence
+            }
+            ModeName::DutchRoll | ModeName::DutchRollMoreStableRoot | ModeName::SideslipSubsidence => {
+                self.dutch_roll
+            }
+            ModeName::DutchRollLessStableRoot | ModeName::DirectionalDivergence => self.dutch_roll_slow,
+            ModeName::RollSubsidence | ModeName::RollDivergence => self.roll,
             ModeName::Spiral => self.spiral,
         }
     }
@@ -450,7 +456,7 @@ mod tests {
     use super::*;
     use crate::words;
 
-    const MODES: [ModeName; 14] = [
+    const MODES: [ModeName; 23] = [
         ModeName::ShortPeriod,
         ModeName::ShortPeriodFastRoot,
         ModeName::ShortPeriodSlowRoot,
@@ -458,13 +464,22 @@ mod tests {
         ModeName::Phugoid,
         ModeName::PhugoidFastRoot,
         ModeName::PhugoidSlowRoot,
-        ModeName::Divergence,
+        ModeName::PitchSubsidence,
+        ModeName::PitchDivergence,
+        ModeName::SpeedSubsidence,
+        ModeName::SpeedDivergence,
         ModeName::DutchRoll,
         ModeName::DutchRollMoreStableRoot,
         ModeName::DutchRollLessStableRoot,
+        ModeName::SideslipSubsidence,
+        ModeName::DirectionalDivergence,
         ModeName::CoupledRollSpiral,
+        ModeName::LateralOscillation,
         ModeName::RollSubsidence,
+        ModeName::RollDivergence,
         ModeName::Spiral,
+        ModeName::LateralSubsidence,
+        ModeName::LateralDivergence,
     ];
 
     /// Relative luminance of WCAG 2.2, 0 of black to 1 of white.

@@ -10,31 +10,35 @@ pub fn reason(mode: &Mode) -> String {
     std::iter::once(participation(mode)).chain(facts).collect::<Vec<_>>().join(" ")
 }
 
-/// The share of the states that gave the name; where one state gave it and another has more, that of both.
+/// The share of the states that gave the name; where others have more, or several share a mode, that of all.
 fn participation(mode: &Mode) -> String {
-    const LATERAL: [&str; 4] = ["sideslip", "roll rate", "yaw rate", "bank angle"];
-    let states = mode.naming.reason.states;
-    let share = percent(states.share(&mode.participation));
-    let most = (0..4).max_by(|&i, &j| mode.participation[i].total_cmp(&mode.participation[j])).unwrap_or(0);
-    let (other, more) = (LATERAL[most], percent(mode.participation[most]));
-    let is_outweighed = !states.states().contains(&most);
-    match states {
-        StateSet::AngleOfAttackAndPitchRate => format!("α and q have {share} of the participation."),
-        StateSet::SpeedAndPitchAngle => {
-            format!("Speed and pitch attitude have {share} of the participation.")
+    let share = |states: StateSet| percent(states.share(&mode.participation));
+    match mode.naming.reason.states {
+        fast @ StateSet::AngleOfAttackAndPitchRate => {
+            format!("α and q have {} of the participation.", share(fast))
         }
-        StateSet::SideslipAndYawRate => format!("Sideslip and yaw rate have {share} of the participation."),
-        StateSet::RollRateAndBankAngle => {
-            format!("Roll rate and bank angle have {share} of the participation.")
+        slow @ StateSet::SpeedAndPitchAngle => {
+            format!("Speed and pitch attitude have {} of the participation.", share(slow))
         }
-        StateSet::RollRate if is_outweighed => {
-            format!("Roll rate has {share} of the participation, {other} {more}.")
+        yaw @ StateSet::SideslipAndYawRate => {
+            format!("Sideslip and yaw rate have {} of the participation.", share(yaw))
         }
-        StateSet::RollRate => format!("Roll rate has {share} of the participation."),
-        StateSet::BankAngle if is_outweighed => {
-            format!("Bank angle has {share} of the participation, {other} {more}.")
+        both @ StateSet::RollRateAndBankAngle => {
+            format!("Roll rate and bank angle have {} of the participation.", share(both))
         }
-        StateSet::BankAngle => format!("Bank angle has {share} of the participation."),
+        roll @ StateSet::RollRate => format!("Roll rate has {} of the participation.", share(roll)),
+        bank @ StateSet::BankAngle => format!("Bank angle has {} of the participation.", share(bank)),
+        StateSet::LongitudinalMix => format!(
+            "α and q have {} of the participation, speed and pitch attitude {}.",
+            share(StateSet::AngleOfAttackAndPitchRate),
+            share(StateSet::SpeedAndPitchAngle)
+        ),
+        StateSet::LateralMix => format!(
+            "Sideslip and yaw rate have {} of the participation, roll rate {}, bank angle {}.",
+            share(StateSet::SideslipAndYawRate),
+            share(StateSet::RollRate),
+            share(StateSet::BankAngle)
+        ),
     }
 }
 
@@ -44,6 +48,9 @@ const SLOW: f64 = 20.0;
 fn told(fact: Fact, mode: &Mode) -> String {
     let sentence = match fact {
         Fact::SteadySpeed => "Speed hardly changes.",
+        Fact::SpeedWithAlpha(ratio) => {
+            return format!("Speed takes part: |u/V| is {} |α|.", times(ratio));
+        }
         Fact::ShortPeriodFaster => {
             "The short period is overdamped: of its two real roots this is the faster."
         }
@@ -51,25 +58,30 @@ fn told(fact: Fact, mode: &Mode) -> String {
             "The short period is overdamped: of its two real roots this is the slower."
         }
         Fact::ShortPeriodBesideThirdOscillation => {
-            "The short period no longer oscillates: of its two real roots this is the faster. The other has met a root of the \
-             phugoid, and together they are the third oscillatory mode."
+            "The short period no longer oscillates: this is its faster root. The other has met a root of the phugoid, and together \
+             they are the third oscillatory mode."
         }
         Fact::ShortPeriodBesideDivergence => {
-            "The short period no longer oscillates: of its two real roots this is the faster. The other grows: it is the divergence."
+            "The short period no longer oscillates: of its two real roots this is the one that dies away, and the other grows."
         }
+        Fact::PitchSubsides => "The angle of attack dies away without oscillating.",
+        Fact::PitchDiverges => "The angle of attack grows without oscillating.",
         Fact::EnergyExchange => "Speed and height exchange energy at nearly constant α.",
-        Fact::EnergyExchangeWithAlpha => {
-            let share = percent(mode.participation[1]);
-            return format!("Speed and height exchange energy, and α takes part with {share}.");
+        Fact::EnergyExchangeWithAlpha(ratio) => {
+            return format!(
+                "Speed and height exchange energy while α swings too: |α| is {} |θ|.",
+                times(ratio)
+            );
         }
         Fact::PhugoidFaster => "The phugoid no longer oscillates: of its two real roots this is the faster.",
         Fact::PhugoidSlower => "The phugoid no longer oscillates: of its two real roots this is the slower.",
-        Fact::OscillationBesideDivergence => {
-            "It oscillates beside a real root that grows, so it is neither phugoid nor short period."
+        Fact::PhugoidBesideDivergence => {
+            "The phugoid no longer oscillates: of its two real roots this is the one that dies away, and the other grows."
         }
-        Fact::PitchDivergence => "A pitch divergence: the angle of attack grows without oscillating.",
-        Fact::SpeedDivergence => {
-            "A speed divergence: speed and pitch attitude depart from trim without oscillating."
+        Fact::SpeedSubsides => "Speed and pitch attitude come back to trim without oscillating.",
+        Fact::SpeedDiverges => "Speed and pitch attitude depart from trim without oscillating.",
+        Fact::ThirdOscillation => {
+            "A root of the short period and one of the phugoid oscillate together, so it is neither of the two."
         }
         Fact::YawingAndRocking => "The nose swings from side to side and the wings rock.",
         Fact::DutchRollMoreStable => {
@@ -78,11 +90,12 @@ fn told(fact: Fact, mode: &Mode) -> String {
         Fact::DutchRollLessStable => {
             "The Dutch roll no longer oscillates: of its two real roots this is the less stable."
         }
-        Fact::DirectionalDivergence => {
-            "The Dutch roll no longer oscillates: of its two real roots this one grows. It is a directional divergence: the nose \
-             turns ever further out of the wind."
-        }
+        Fact::SideslipSubsides => "Sideslip and yaw rate die away without oscillating.",
+        Fact::DirectionDiverges => "It grows: the nose turns ever further out of the wind.",
         Fact::RollMeetsSpiral => "Roll subsidence and spiral have met and oscillate together.",
+        Fact::LateralOscillation => {
+            "A root of the Dutch roll has met the roll or the spiral: they oscillate together, so it is no Dutch roll."
+        }
         Fact::RollRateDiesOut => "The roll rate dies out without oscillating.",
         Fact::RollDriven => "It grows, so it is no subsidence: the wing drives the roll.",
         Fact::BankDriven => {
@@ -103,16 +116,16 @@ fn told(fact: Fact, mode: &Mode) -> String {
             }
             _ => "The wings come level slowly.",
         },
-        Fact::FourRealRoots => "All four roots are real and told apart by their order.",
-        Fact::TwoOscillations(ratio) => {
-            let ratio = significant(ratio, 3);
-            return format!(
-                "There are two oscillations: the faster has {ratio} times the |λ| of the slower."
-            );
-        }
+        Fact::LateralSubsides => "It dies away without oscillating.",
+        Fact::LateralDiverges => "It grows without oscillating.",
         Fact::MixedShape => "The shape is mixed, so the name is a matter of degree.",
     };
     sentence.to_owned()
+}
+
+/// A ratio of two amplitudes before the second: "0.30 ×".
+fn times(ratio: f64) -> String {
+    format!("{} ×", significant(ratio, 2))
 }
 
 /// A share as a person reads it: "99.7 %", "95 %".

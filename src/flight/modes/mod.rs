@@ -8,6 +8,7 @@
 //! ```
 
 pub mod approximations;
+mod assignment;
 pub mod eigen;
 pub mod inverse;
 mod least_change;

@@ -3,12 +3,13 @@
 use std::f64::consts::{LN_2, TAU};
 
 use nalgebra::{Complex, Matrix4, Vector4};
+use smallvec::SmallVec;
 
 use super::eigen::{Eigen, EigenError, eigen};
-use super::mode_name::{Naming, Shape};
+use super::mode_name::{Amplitudes, Naming, UnnamedMode};
 use super::naming::name_modes;
 use super::stability::{Stability, dynamic_stability};
-use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use crate::flight::aircraft::states::Longitudinal;
 
 /// The largest condition number told: the reciprocal of rounding, where nothing is known of the root any more.
@@ -93,37 +94,45 @@ impl Mode {
 
 /// The named modes of a model, each conjugate pair once, in the order of [`super::mode_name::ModeName`].
 pub fn modes(model: &PlaneModel) -> Result<Vec<Mode>, EigenError> {
-    modes_of(model.plane, &model.a)
+    named_modes(model.plane, &model.a, Some(&model.trim))
 }
 
 /// The named modes of a state matrix of one plane, in the order of [`super::mode_name::ModeName`].
+///
+/// Without a trim no angle of attack is known, so reasons say nothing of amplitudes.
 pub fn modes_of(plane: Plane, a: &Matrix4<f64>) -> Result<Vec<Mode>, EigenError> {
+    named_modes(plane, a, None)
+}
+
+fn named_modes(plane: Plane, a: &Matrix4<f64>, trim: Option<&Trim>) -> Result<Vec<Mode>, EigenError> {
     let eigen = eigen(a)?;
     let spectral_radius = eigen.values.iter().map(|l| l.norm()).fold(0.0, f64::max);
     let kept: Vec<usize> = (0..4).filter(|&i| eigen.values[i].im >= 0.0).collect();
-    let shapes: Vec<Shape> = kept
+    let trim = trim.filter(|_| plane == Plane::Longitudinal);
+    let unnamed: SmallVec<[UnnamedMode; 4]> = kept
         .iter()
         .map(|&i| {
             let lambda = eigen.values[i];
             let stability = dynamic_stability(lambda.re, spectral_radius);
             // What is neither stable nor unstable has rounding for a real part.
             let re = if stability == Stability::Neutral { 0.0 } else { lambda.re };
+            let amplitudes = trim.map(|trim| Amplitudes::of(trim, &eigen.right.column(i).into_owned()));
             let participation = eigen.participation(i);
-            Shape { lambda: Complex::new(re, lambda.im), participation, stability }
+            UnnamedMode { lambda: Complex::new(re, lambda.im), participation, stability, amplitudes }
         })
         .collect();
     let mut modes: Vec<Mode> = kept
         .iter()
-        .zip(&shapes)
-        .zip(name_modes(plane, &shapes))
-        .map(|((&i, shape), naming)| Mode {
-            lambda: shape.lambda,
+        .zip(&unnamed)
+        .zip(name_modes(plane, &unnamed))
+        .map(|((&i, mode), naming)| Mode {
+            lambda: mode.lambda,
             shape: Vector4::from(eigen.right.column(i)),
             adjoint: Vector4::from(eigen.left.column(i)),
             condition: condition(&eigen, i, spectral_radius),
-            participation: shape.participation,
+            participation: mode.participation,
             naming,
-            stability: shape.stability,
+            stability: mode.stability,
         })
         .collect();
     modes.sort_by_key(|mode| mode.naming.name);

@@ -1,9 +1,11 @@
 //! The names that modes can have, and what naming needs of a mode without one.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, Vector4};
 
 use super::reason::{Fact, Reason, StateSet};
 use super::stability::Stability;
+use crate::flight::aircraft::plane::Trim;
+use crate::flight::aircraft::states::Longitudinal;
 
 /// What a mode is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,7 +16,11 @@ pub enum ModeName {
     ShortPeriodFastRoot,
     /// The slower of two real roots that an overdamped short period has become.
     ShortPeriodSlowRoot,
-    /// Oscillation of an aircraft that diverges in pitch, mixing all four states.
+    /// A real root of angle of attack and pitch rate that dies away, and is none of the short period's.
+    PitchSubsidence,
+    /// A real root of angle of attack and pitch rate that grows.
+    PitchDivergence,
+    /// Oscillation in which a root of the short period has met one of the phugoid, mixing all four states.
     ThirdOscillatory,
     /// Slow exchange of speed and height at nearly constant angle of attack.
     Phugoid,
@@ -22,20 +28,34 @@ pub enum ModeName {
     PhugoidFastRoot,
     /// The slower of two real roots that the phugoid has become.
     PhugoidSlowRoot,
-    /// A real root of pitch or speed that grows: the aircraft departs without oscillating.
-    Divergence,
+    /// A real root of speed and pitch angle that dies away, and is none of the phugoid's.
+    SpeedSubsidence,
+    /// A real root of speed and pitch angle that grows.
+    SpeedDivergence,
     /// Oscillation in yaw and sideslip, with the wings rocking.
     DutchRoll,
-    /// The further left of two real roots that the Dutch roll has become.
+    /// The further left of two real roots that the Dutch roll has become, both decaying or both growing.
     DutchRollMoreStableRoot,
-    /// The further right of two real roots that the Dutch roll has become; growing, it is the directional divergence.
+    /// The further right of the same two.
     DutchRollLessStableRoot,
+    /// A single real root of sideslip and yaw rate that dies away.
+    SideslipSubsidence,
+    /// A single real root of sideslip and yaw rate that grows: the nose turns out of the wind.
+    DirectionalDivergence,
     /// Oscillation that roll subsidence and spiral have become together: the lateral phugoid.
     CoupledRollSpiral,
+    /// Oscillation in which a root of the Dutch roll has met the roll or the spiral, mixing all four states.
+    LateralOscillation,
     /// Fast dying away of a roll rate.
     RollSubsidence,
+    /// Growth of a roll rate, driven by the wing.
+    RollDivergence,
     /// Slow turning in or out of a banked turn.
     Spiral,
+    /// A real root that dies away, of several lateral states and none of the above.
+    LateralSubsidence,
+    /// A real root that grows, of several lateral states and none of the above.
+    LateralDivergence,
 }
 
 /// A name, and why.
@@ -49,15 +69,17 @@ pub struct Naming {
     pub reason: Reason,
 }
 
-/// An unnamed mode as far as naming needs it.
+/// A mode without a name, as far as naming needs it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(super) struct UnnamedMode {
     pub lambda: Complex<f64>,
     pub participation: [f64; 4],
     pub stability: Stability,
+    /// Amplitudes of longitudinal motion, where the flight is known.
+    pub amplitudes: Option<Amplitudes>,
 }
 
-impl Shape {
+impl UnnamedMode {
     pub fn oscillates(&self) -> bool {
         self.lambda.im > 0.0
     }
@@ -67,36 +89,48 @@ impl Shape {
     }
 }
 
-/// The real roots among `shapes`, from left to right along the real axis.
-pub(super) fn real_roots_in_order(shapes: &[Shape]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..shapes.len()).filter(|&i| !shapes[i].oscillates()).collect();
-    order.sort_by(|&i, &j| shapes[i].lambda.re.total_cmp(&shapes[j].lambda.re));
-    order
+/// Amplitudes of a longitudinal mode that a person can compare: angles and a ratio of speeds, in stability axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Amplitudes {
+    /// |u/V|.
+    pub speed: f64,
+    /// |α| \[rad\].
+    pub alpha: f64,
+    /// |θ| \[rad\].
+    pub theta: f64,
 }
 
-/// Of two oscillations, which is faster (the greater |λ|); `None` unless there are exactly two modes that both oscillate.
-pub(super) fn faster_of_two_pairs(shapes: &[Shape]) -> Option<usize> {
-    match shapes {
-        [first, second] if first.oscillates() && second.oscillates() => {
-            Some(usize::from(second.lambda.norm() > first.lambda.norm()))
+impl Amplitudes {
+    /// Amplitudes of the right eigenvector `shape` over \[u, w, q, θ\] in the axes of `trim`.
+    pub fn of(trim: &Trim, shape: &Vector4<Complex<f64>>) -> Self {
+        let (sin, cos) = trim.alpha0.sin_cos();
+        let [u, w] = [Longitudinal::U, Longitudinal::W].map(|state| shape[state.index()]);
+        // x along the steady velocity: u_s = u cos α₀ + w sin α₀,  w_s = w cos α₀ − u sin α₀
+        Self {
+            speed: (u * cos + w * sin).norm() / trim.speed,
+            alpha: (w * cos - u * sin).norm() / trim.speed,
+            theta: shape[Longitudinal::Theta.index()].norm(),
         }
-        _ => None,
     }
-}
 
-/// Mean of a share over the modes that oscillate, or over those that don't.
-pub(super) fn mean_share(shapes: &[Shape], oscillating: bool, share: impl Fn(&Shape) -> f64) -> f64 {
-    let shares: Vec<f64> = shapes.iter().filter(|s| s.oscillates() == oscillating).map(share).collect();
-    shares.iter().sum::<f64>() / shares.len().max(1) as f64
+    /// |u/V| over |α|; infinite where α stays.
+    pub fn speed_to_alpha(&self) -> f64 {
+        self.speed / self.alpha
+    }
+
+    /// |α| over |θ|; infinite where θ stays.
+    pub fn alpha_to_theta(&self) -> f64 {
+        self.alpha / self.theta
+    }
 }
 
 /// Below this confidence the shape is mixed.
 const MIXED: f64 = 0.65;
 
-/// The name of `shape`, for the participation of `states` and the facts beside it.
-pub(super) fn naming(name: ModeName, shape: &Shape, states: StateSet, mut facts: Vec<Fact>) -> Naming {
+/// The name of `mode`, for the participation of `states` and the facts beside it.
+pub(super) fn naming(name: ModeName, mode: &UnnamedMode, states: StateSet, mut facts: Vec<Fact>) -> Naming {
     // Shares that add up to one do so but for rounding.
-    let confidence = states.share(&shape.participation).clamp(0.0, 1.0);
+    let confidence = states.share(&mode.participation).clamp(0.0, 1.0);
     if confidence < MIXED {
         facts.push(Fact::MixedShape);
     }

@@ -1,24 +1,30 @@
-//! Names for the modes, from their shape and their place among the others, never from a period.
+//! Names for the modes, from their shape, never from a period and never from their order along the real axis.
 //!
-//! A mode's participation factors p_k = |l_k v_k| (left × right eigenvector) say how much each state belongs
-//! to it: w and q are the mark of the short period, u and θ of the phugoid; v and r of the Dutch roll, p of roll
-//! subsidence, φ of the spiral. Thresholds on the period name only half of the reference aircraft, so none is used.
+//! A mode's participation factors p_k = |l_k v_k| (left × right eigenvector) say how much each state belongs to it: w and q
+//! are the mark of the short period, u and θ of the phugoid; v and r of the Dutch roll, p of roll subsidence, φ of the spiral.
+//! Thresholds on the period name only half of the reference aircraft, so none is used.
 //!
-//! A name must not flicker while a slider moves. Two real roots can't pass each other on the real axis without
-//! meeting, so roots are told apart by their order there; names then change only where roots meet, part or cross zero.
-//! Two oscillations can pass one another in the plane without meeting: there a name changes once, where their |λ| are
-//! equal, and the confidence says so before.
+//! 1. The number of pairs says which families of modes there can be. Of all ways to give them to the modes, the one counts
+//!    in which the modes' own states carry most (an assignment problem, with a table of all its answers).
+//! 2. A family is a name only where its states carry at least as much of the mode as those of any other family. Elsewhere
+//!    the mode gets a name that says what it does: a divergence or subsidence of what carries most of it, or an oscillation
+//!    that mixes.
+//!
+//! Participation is a continuous function of the derivatives but where roots meet. Along a sweep a name therefore changes
+//! only where roots meet, part or cross zero, or where two shapes exchange their states.
 
-use super::mode_name::{Naming, Shape};
+use smallvec::SmallVec;
+
+use super::mode_name::{Naming, UnnamedMode};
 use super::{naming_lateral, naming_longitudinal};
 use crate::flight::aircraft::plane::Plane;
 
-/// Names all modes of one plane together, since what one is called depends on the others.
+/// The names of all modes of one plane together, since what one is called depends on the others.
 ///
-/// `shapes` holds each conjugate pair once: two, three or four modes. The names come in the same order.
-pub(super) fn name_modes(plane: Plane, shapes: &[Shape]) -> Vec<Naming> {
+/// `modes` holds each conjugate pair once: two, three or four modes. The names come in the same order.
+pub(super) fn name_modes(plane: Plane, modes: &[UnnamedMode]) -> SmallVec<[Naming; 4]> {
     match plane {
-        Plane::Longitudinal => naming_longitudinal::name_modes(shapes),
-        Plane::Lateral => naming_lateral::name_modes(shapes),
+        Plane::Longitudinal => naming_longitudinal::name_modes(modes),
+        Plane::Lateral => naming_lateral::name_modes(modes),
     }
 }

@@ -1,5 +1,7 @@
 //! The reason for a mode's name, as data.
 
+use crate::flight::aircraft::states::{Lateral, Longitudinal};
+
 /// States of one plane whose participation together gives a mode its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StateSet {
@@ -15,24 +17,41 @@ pub enum StateSet {
     RollRate,
     /// φ: the spiral.
     BankAngle,
+    /// Whichever of (w, q) and (u, θ) has more, where neither family fits.
+    LongitudinalMix,
+    /// Whichever of (v, r), p and φ has most, where no family fits.
+    LateralMix,
 }
 
 impl StateSet {
-    /// Places of the states in the state vector of their plane.
-    pub const fn states(self) -> &'static [usize] {
+    /// The sets of a plane of which one has most where a mode mixes; this set alone elsewhere.
+    pub const fn parts(self) -> &'static [Self] {
         match self {
-            Self::AngleOfAttackAndPitchRate => &[1, 2],
-            Self::SpeedAndPitchAngle => &[0, 3],
-            Self::SideslipAndYawRate => &[0, 2],
-            Self::RollRateAndBankAngle => &[1, 3],
-            Self::RollRate => &[1],
-            Self::BankAngle => &[3],
+            Self::AngleOfAttackAndPitchRate => &[Self::AngleOfAttackAndPitchRate],
+            Self::SpeedAndPitchAngle => &[Self::SpeedAndPitchAngle],
+            Self::SideslipAndYawRate => &[Self::SideslipAndYawRate],
+            Self::RollRateAndBankAngle => &[Self::RollRateAndBankAngle],
+            Self::RollRate => &[Self::RollRate],
+            Self::BankAngle => &[Self::BankAngle],
+            Self::LongitudinalMix => &[Self::AngleOfAttackAndPitchRate, Self::SpeedAndPitchAngle],
+            Self::LateralMix => &[Self::SideslipAndYawRate, Self::RollRate, Self::BankAngle],
         }
     }
 
-    /// Their part in a mode, 0 to 1, from the participation of all four states.
+    /// Their part in a mode, 0 to 1, from the participation of all four states; of a mix, that of the largest part.
     pub fn share(self, participation: &[f64; 4]) -> f64 {
-        self.states().iter().map(|&k| participation[k]).sum()
+        let of = |states: &[usize]| states.iter().map(|&k| participation[k]).sum::<f64>();
+        match self {
+            Self::AngleOfAttackAndPitchRate => of(&[Longitudinal::W.index(), Longitudinal::Q.index()]),
+            Self::SpeedAndPitchAngle => of(&[Longitudinal::U.index(), Longitudinal::Theta.index()]),
+            Self::SideslipAndYawRate => of(&[Lateral::V.index(), Lateral::R.index()]),
+            Self::RollRateAndBankAngle => of(&[Lateral::P.index(), Lateral::Phi.index()]),
+            Self::RollRate => of(&[Lateral::P.index()]),
+            Self::BankAngle => of(&[Lateral::Phi.index()]),
+            Self::LongitudinalMix | Self::LateralMix => {
+                self.parts().iter().map(|part| part.share(participation)).fold(0.0, f64::max)
+            }
+        }
     }
 }
 
@@ -50,6 +69,8 @@ pub struct Reason {
 pub enum Fact {
     /// Speed takes hardly any part in a short period.
     SteadySpeed,
+    /// Speed takes part in a short period: |u/V| over |α|.
+    SpeedWithAlpha(f64),
     /// One of two real roots of the short period, the faster.
     ShortPeriodFaster,
     /// One of two real roots of the short period, the slower.
@@ -58,30 +79,40 @@ pub enum Fact {
     ShortPeriodBesideThirdOscillation,
     /// A real root of the short period whose partner grows.
     ShortPeriodBesideDivergence,
+    /// A real root of angle of attack and pitch rate that dies away.
+    PitchSubsides,
+    /// A real root of angle of attack and pitch rate that grows.
+    PitchDiverges,
     /// Exchange of speed and height with little change of α.
     EnergyExchange,
-    /// Exchange of speed and height in which α takes part.
-    EnergyExchangeWithAlpha,
+    /// Exchange of speed and height in which α takes part: |α| over |θ|.
+    EnergyExchangeWithAlpha(f64),
     /// One of two real roots of the phugoid, the faster.
     PhugoidFaster,
     /// One of two real roots of the phugoid, the slower.
     PhugoidSlower,
-    /// An oscillation beside a real root that grows.
-    OscillationBesideDivergence,
-    /// A real root that grows, of angle of attack and pitch rate.
-    PitchDivergence,
-    /// A real root that grows, of speed and pitch attitude.
-    SpeedDivergence,
+    /// A real root of the phugoid whose partner grows.
+    PhugoidBesideDivergence,
+    /// A real root of speed and pitch angle that dies away.
+    SpeedSubsides,
+    /// A real root of speed and pitch angle that grows.
+    SpeedDiverges,
+    /// An oscillation that mixes the states of short period and phugoid.
+    ThirdOscillation,
     /// Yaw and sideslip with rolling.
     YawingAndRocking,
     /// One of two real roots of the Dutch roll, the further left.
     DutchRollMoreStable,
     /// One of two real roots of the Dutch roll, the further right.
     DutchRollLessStable,
-    /// One of two real roots of the Dutch roll, which grows.
-    DirectionalDivergence,
+    /// A real root of sideslip and yaw rate that dies away.
+    SideslipSubsides,
+    /// A real root of sideslip and yaw rate that grows.
+    DirectionDiverges,
     /// Roll subsidence and spiral as one oscillation.
     RollMeetsSpiral,
+    /// An oscillation that mixes the states of Dutch roll, roll and spiral.
+    LateralOscillation,
     /// A roll rate that dies out.
     RollRateDiesOut,
     /// A roll rate that grows.
@@ -94,10 +125,10 @@ pub enum Fact {
     BankStays,
     /// A bank angle that dies away.
     BankDecays,
-    /// No root of the plane oscillates, so that order tells them apart.
-    FourRealRoots,
-    /// Two oscillations, and the ratio of the greater |λ| to the smaller.
-    TwoOscillations(f64),
+    /// A real root of several lateral states that dies away.
+    LateralSubsides,
+    /// A real root of several lateral states that grows.
+    LateralDiverges,
     /// A participation too evenly spread for a certain name.
     MixedShape,
 }

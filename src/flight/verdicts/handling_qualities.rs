@@ -12,7 +12,6 @@ use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
-use crate::flight::modes::stability::Stability;
 
 /// How good the handling is (1.5, p. 4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -155,10 +154,10 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
         let levels = dutch_roll(class, category, wn, phi_rule);
         let remark = remark_on_roots(modes, ModeName::DutchRoll);
         verdicts.push(Verdict { remark, ..judge(Criterion::DutchRoll, category, values, &levels) });
-    } else if find(modes, ModeName::DutchRollLessStableRoot).is_some_and(grows) {
+    } else if find(modes, ModeName::DirectionalDivergence).is_some() {
         verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new(), Remark::Diverges));
     }
-    if let Some(mode) = find(modes, ModeName::RollSubsidence) {
+    if let Some(mode) = find(modes, ModeName::RollSubsidence).or(find(modes, ModeName::RollDivergence)) {
         verdicts.push(match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
             Some(tau) => judge(
                 Criterion::RollMode,
@@ -186,10 +185,6 @@ fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category)
 
 fn find(modes: &[Mode], name: ModeName) -> Option<&Mode> {
     modes.iter().find(|mode| mode.naming.name == name)
-}
-
-fn grows(mode: &Mode) -> bool {
-    mode.stability == Stability::Unstable
 }
 
 fn time_to_double(mode: &Mode) -> Option<(Quantity, f64)> {
