@@ -1,5 +1,7 @@
 //! Numbers as a person reads them: significant digits, a true minus sign, round steps.
 
+use nalgebra::Complex;
+
 /// A number with `digits` significant digits, with `−` for minus and an exponent only where digits would run away.
 pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
@@ -36,6 +38,12 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// An eigenvalue, or a pair of them by its upper one: "−2.51 ± 2.59j".
+pub fn eigenvalue(lambda: Complex<f64>) -> String {
+    let re = significant(lambda.re, 4);
+    if lambda.im > 0.0 { format!("{re} ± {}j", significant(lambda.im, 4)) } else { re }
+}
+
 /// The smallest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ᵏ that is not less than `value`, which must be positive.
 ///
 /// Ranges made of such numbers stay the same through small changes of what they hold.
@@ -46,6 +54,17 @@ pub fn round_up(value: f64) -> f64 {
         .map(|step| step * decade)
         .find(|&round| round >= value * (1.0 - 1e-12))
         .unwrap_or(10.0 * decade)
+}
+
+/// The smallest of 1, 2, 5 × 10ᵏ that is not less than `least`, which must be positive: a step of which people count multiples.
+pub fn nice_step(least: f64) -> f64 {
+    let power = least.log10().floor() as i32;
+    // Divided by a whole number, 5 × 10⁻³ is the nearest number to 0.005.
+    let scaled = |digit: f64| {
+        if power < 0 { digit / 10_f64.powi(-power) } else { digit * 10_f64.powi(power) }
+    };
+    let steps = [1.0, 2.0, 5.0].map(scaled);
+    steps.into_iter().find(|step| *step >= least * (1.0 - 1e-12)).unwrap_or(scaled(10.0))
 }
 
 #[cfg(test)]
@@ -69,6 +88,16 @@ mod tests {
         assert_eq!(fixed(-0.0001, 2), "0.00");
         assert_eq!(fixed(-0.14657, 3), "−0.147");
     }
+
+    #[test]
+    fn a_step_is_one_two_or_five_times_a_power_of_ten() {
+        for (least, step) in
+            [(1.0, 1.0), (1.1, 2.0), (2.5, 5.0), (5.1, 10.0), (0.003, 0.005), (0.02, 0.02), (70.0, 100.0)]
+        {
+            assert_eq!(nice_step(least), step);
+        }
+    }
+
     #[test]
     fn rounding_up_is_never_less_and_never_a_third_more() {
         for value in [1e-9, 0.0031, 0.99, 1.0, 1.2, 4.9, 7.1, 9.99, 123.0, 6.5e8] {

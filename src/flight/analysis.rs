@@ -14,7 +14,7 @@ use super::motion::course::is_small;
 use super::motion::experiment::{Experiment, forced};
 use super::motion::modal_sum::{ModalSum, SplitError, modal_sum};
 use super::motion::outputs::Output;
-use super::motion::response::{Forced, Response, respond};
+use super::motion::response::{Forced, Response, TimeGrid, respond};
 use super::verdicts::handling_qualities::{Verdict, handling_qualities};
 use super::verdicts::static_stability::{
     PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,
@@ -89,6 +89,19 @@ impl Motion {
     /// Values of an output at the samples.
     pub fn values(&self, output: Output) -> Vec<f64> {
         output.row(&self.model, &self.forced).of(&self.forced, &self.response).collect()
+    }
+
+    /// The same motion with `parts` steps between two samples.
+    pub fn refined(&self, parts: usize) -> Self {
+        let grid = self.experiment.grid;
+        let grid = TimeGrid { steps: grid.steps * parts, ..grid };
+        Self {
+            model: self.model.clone(),
+            experiment: Experiment { grid, ..self.experiment.clone() },
+            forced: self.forced.clone(),
+            response: respond(&self.forced, grid),
+            small_until: self.small_until,
+        }
     }
 
     /// The same split into the parts of the modes of this model.

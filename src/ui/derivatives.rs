@@ -194,7 +194,7 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
     ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
         ui.spacing_mut().button_padding.y = 0.0;
         theme::make_low(ui, 16.0);
-        let title = RichText::new(group.text()).font(theme::semibold(11.5));
+        let title = RichText::new(group.text()).font(theme::semibold(theme::sizes(ui).small));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
         let edited = rows.iter().any(|parameter| parameter.is_edited(scenario));
         if edited {
@@ -243,7 +243,7 @@ fn row_ui(
             ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::NONE;
         }
         theme::make_low(ui, LOW_FIELD);
-        symbol_ui(ui, &symbol, 16.0, palette.text, Some(SYMBOL_WIDTH));
+        symbol_ui(ui, &symbol, theme::sizes(ui).row_symbol, palette.text, Some(SYMBOL_WIDTH));
         let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
         // Room for as many as there can be: a slider must not change its length where two roots meet.
         let bars_width = influence::BAR_WIDTH * 4.0;
@@ -326,14 +326,17 @@ fn row_ui(
 /// The unit of a row, and below it the value that is in use, where knobs and flight condition have moved it to another.
 fn unit_ui(ui: &mut Ui, unit: &str, in_use: Option<f64>) {
     let palette = Palette::of(ui);
-    let shown_unit = |ui: &mut Ui| ui.label(RichText::new(unit).size(10.5).color(palette.weak));
+    let shown_unit =
+        |ui: &mut Ui| ui.label(RichText::new(unit).size(theme::sizes(ui).unit).color(palette.weak));
     let Some(in_use) = in_use else {
         shown_unit(ui);
         return;
     };
     let number = trimmed(in_use, 3);
     let used = |ui: &mut Ui| {
-        let text = RichText::new(format!("▸ {number}")).font(theme::semibold(10.5)).color(palette.warning);
+        let text = RichText::new(format!("▸ {number}"))
+            .font(theme::semibold(theme::sizes(ui).unit))
+            .color(palette.warning);
         ui.label(text).on_hover_text("The value in use, as the knobs and the flight condition make it");
     };
     if unit.is_empty() {
@@ -355,14 +358,14 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let shown = trimmed(parameter.get(scenario) / in_si, 4);
     let symbol = Symbol::parse(parameter.symbol);
     // Its width beforehand, so that a row that wraps keeps it together.
-    let symbol_width = ui.painter().layout_job(symbol.job(14.0, palette.text)).size().x;
+    let symbol_width = ui.painter().layout_job(symbol.job(theme::sizes(ui).symbol, palette.text)).size().x;
     let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
     let width = symbol_width + COMPACT_FIELD + unit_width + 3.0 * ui.spacing().item_spacing.x + 16.0;
     let size = Vec2::new(width, ui.spacing().interact_size.y);
     let name =
         if unit.is_empty() { parameter.name.to_owned() } else { format!("{} in {unit}", parameter.name) };
     let row = ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-        symbol_ui(ui, &symbol, 14.0, palette.text, None);
+        symbol_ui(ui, &symbol, theme::sizes(ui).symbol, palette.text, None);
         let field = number_field_ui(
             ui,
             Id::unique(("disturbance", parameter.key)),
@@ -398,11 +401,11 @@ pub fn help_ui(ui: &mut Ui, key: &str) {
     let Some(parameter) = Parameter::find(key) else { return };
     let palette = Palette::of(ui);
     ui.separator();
-    let mut title = Symbol::parse(parameter.symbol).job(15.0, palette.text);
+    let mut title = Symbol::parse(parameter.symbol).job(theme::sizes(ui).title_symbol, palette.text);
     title.append(
         &format!("  {}", parameter.name),
         0.0,
-        egui::TextFormat::simple(theme::semibold(12.5), palette.text),
+        egui::TextFormat::simple(theme::semibold(theme::sizes(ui).name), palette.text),
     );
     ui.label(title);
     ScrollArea::vertical().id_salt("help").auto_shrink(false).show(ui, |ui| {

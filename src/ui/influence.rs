@@ -110,7 +110,8 @@ impl Strongest {
             return wish;
         }
         ui.add_space(6.0);
-        let title = RichText::new("Which derivative moves which mode").font(theme::semibold(11.5));
+        let title =
+            RichText::new("Which derivative moves which mode").font(theme::semibold(theme::sizes(ui).small));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
@@ -174,7 +175,7 @@ fn row_ui(
         ui.painter().rect_filled(place, 4.0, palette.field);
     }
     theme::focus_ring(ui, &response);
-    let galley = ui.painter().layout_job(symbol.job(14.0, palette.text));
+    let galley = ui.painter().layout_job(symbol.job(theme::sizes(ui).symbol, palette.text));
     let start = place.left_center() + Vec2::new(4.0, -0.5 * galley.size().y);
     ui.painter().galley(start, galley, palette.text);
     let room = place.width() - SYMBOL_WIDTH - 4.0;

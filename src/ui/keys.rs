@@ -130,12 +130,12 @@ pub fn sheet_ui(ui: &Ui) -> bool {
     let frame = egui::Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(egui::Id::unique("keys")).frame(frame).show(ui, |ui| {
         ui.set_max_width((ui.content_rect().width() - 64.0).min(460.0));
-        theme::heading(ui, RichText::new("Keys").heading().size(16.0), 2);
+        theme::heading(ui, RichText::new("Keys").heading().size(theme::sizes(ui).sheet), 2);
         let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
         let narrow = ui.content_rect().width() < NARROW;
         let rows = |ui: &mut Ui| {
             for (keys, text) in own.chain(OF_CONTROLS) {
-                ui.label(RichText::new(keys).font(theme::semibold(12.0)));
+                ui.label(RichText::new(keys).font(theme::semibold(theme::sizes(ui).value)));
                 ui.label(text);
                 if narrow {
                     ui.add_space(4.0);

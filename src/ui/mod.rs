@@ -4,7 +4,7 @@
 pub mod aircraft;
 mod app;
 mod arrow_keys;
-mod axis_range;
+mod chart;
 mod derivatives;
 mod finger;
 mod flight_pane;

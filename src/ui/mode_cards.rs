@@ -6,7 +6,6 @@ use egui::{
 };
 
 use super::phasors::phasors_ui;
-use super::poles::eigenvalue;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
@@ -17,7 +16,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::handling_qualities::{Level, Verdict};
 use crate::flight::verdicts::mil_f_8785c::Category;
-use crate::number::significant;
+use crate::number::{eigenvalue, significant};
 use crate::scenario::link::Details;
 use crate::words;
 
@@ -40,7 +39,7 @@ pub fn banner_ui(ui: &mut Ui, text: &str, color: Color32, ground: Color32) -> Re
     let frame = Frame::new().fill(ground).corner_radius(8).inner_margin(Margin::symmetric(10, 7));
     let banner = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(prose(text, theme::semibold(12.0), color))
+        ui.label(prose(text, theme::semibold(theme::sizes(ui).value), color))
     });
     banner.inner
 }
@@ -99,9 +98,9 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
 /// The name with its chips at the right, or below it where they would lie on it.
 fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
     let color = Palette::of(ui).mode_text(mode.naming.name);
-    let (name, font) = (words::mode::title(mode.naming.name), theme::semibold(14.0));
+    let (name, font) = (words::mode::title(mode.naming.name), theme::semibold(theme::sizes(ui).card));
     let chip = |text: String| {
-        let font = theme::semibold(CHIP);
+        let font = theme::semibold(theme::sizes(ui).chip);
         ui.painter().layout_no_wrap(text, font, color).size().x
             + 2.0 * CHIP_MARGIN
             + ui.spacing().item_spacing.x
@@ -211,7 +210,6 @@ fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, S
 }
 
 /// Size of the text on a chip, and the room left and right of it.
-const CHIP: f32 = 11.0;
 const CHIP_MARGIN: f32 = 7.0;
 
 /// What stands where a level would, where there is none.
@@ -250,9 +248,11 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         });
         let mark = if details.levels { "▾" } else { "▸" };
         let long = format!("{} · Cat {} {mark}", words::verdict::level(level), category.letter());
-        let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(CHIP), color);
+        let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(theme::sizes(ui).chip), color);
         let fits = galley.size().x + 2.0 * CHIP_MARGIN <= ui.available_width();
-        let text = RichText::new(if fits { long } else { short }).font(theme::semibold(CHIP)).color(color);
+        let text = RichText::new(if fits { long } else { short })
+            .font(theme::semibold(theme::sizes(ui).chip))
+            .color(color);
         ui.spacing_mut().button_padding = Vec2::new(CHIP_MARGIN, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         theme::focus_ring(ui, &chip);
@@ -279,7 +279,7 @@ fn chip_ui(ui: &mut Ui, text: String, (color, ground): (Color32, Color32)) {
     Frame::new().fill(ground).corner_radius(7).inner_margin(Margin::symmetric(CHIP_MARGIN as i8, 2)).show(
         ui,
         |ui| {
-            ui.label(RichText::new(text).font(theme::semibold(CHIP)).color(color));
+            ui.label(RichText::new(text).font(theme::semibold(theme::sizes(ui).chip)).color(color));
         },
     );
 }
@@ -376,8 +376,8 @@ fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
         .allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(width);
             ui.spacing_mut().item_spacing.x = 0.0;
-            symbol_ui(ui, &Symbol::parse(symbol), 13.5, palette.weak, Some(26.0));
-            ui.label(RichText::new(text).font(theme::semibold(12.0)));
+            symbol_ui(ui, &Symbol::parse(symbol), theme::sizes(ui).symbol, palette.weak, Some(26.0));
+            ui.label(RichText::new(text).font(theme::semibold(theme::sizes(ui).value)));
         })
         .response;
     response.on_hover_text(*meaning);
@@ -409,7 +409,7 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
                 segment.center(),
                 egui::Align2::CENTER_CENTER,
                 text,
-                theme::semibold(10.0),
+                theme::semibold(theme::sizes(ui).tick),
                 ink,
             );
         }

@@ -68,7 +68,7 @@ pub fn number_field_ui(
         .id(id)
         .desired_width(width)
         .align(egui::Align2::RIGHT_CENTER)
-        .font(FontId::proportional(12.5))
+        .font(FontId::proportional(theme::sizes(ui).name))
         .margin(egui::Margin::symmetric(4, 3))
         .text_color(if refused { palette.bad } else { palette.text })
         .char_limit(32)

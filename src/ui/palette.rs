@@ -4,12 +4,14 @@
 //! palette they are lightened. Text in the colour of a mode has a darker tone of the same hue, since thin strokes need more
 //! contrast than marks. Colour never stands alone: a mode also has its name.
 
-use egui::{Color32, Context, Theme, Ui};
+use egui::{Color32, Context, CornerRadius, Stroke, Theme, Ui, Visuals};
 
-use super::theme::paint_style;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::shape::{Finish, Material};
+
+/// Radius of the corners of a control: from 6 on egui draws them with twice as many points, in every frame, and nobody sees it.
+pub const CORNER: u8 = 5;
 
 /// The colours of one theme.
 #[derive(Debug, PartialEq)]
@@ -328,7 +330,7 @@ impl Look {
         ctx.data_mut(|data| data.insert_temp(projector_id(), self == Self::Projector));
         ctx.style_mut_of(Theme::Light, |style| {
             let palette = if self == Self::Projector { &PROJECTOR } else { &LIGHT };
-            paint_style(&mut style.visuals, palette);
+            palette.dress(&mut style.visuals);
         });
         ctx.set_theme(if self == Self::Dark { Theme::Dark } else { Theme::Light });
     }
@@ -378,6 +380,37 @@ impl Palette {
     /// The palette of the look in force.
     pub fn of(ui: &Ui) -> &'static Self {
         Look::of(ui.ctx()).palette()
+    }
+
+    /// Dresses every control in these colours.
+    pub fn dress(&self, visuals: &mut Visuals) {
+        visuals.panel_fill = self.background;
+        visuals.window_fill = self.pane;
+        visuals.window_stroke = Stroke::new(1.0, self.hairline);
+        visuals.extreme_bg_color = self.pane;
+        visuals.faint_bg_color = self.field;
+        visuals.weak_text_color = Some(self.weak);
+        visuals.error_fg_color = self.bad;
+        visuals.warn_fg_color = self.warning;
+        visuals.hyperlink_color = self.link();
+        visuals.selection.bg_fill = self.strong;
+        visuals.selection.stroke = Stroke::new(1.0, self.on_strong);
+        visuals.popup_shadow.color = Color32::from_black_alpha(30);
+        let widgets = &mut visuals.widgets;
+        for (style, fill, line) in [
+            (&mut widgets.noninteractive, self.pane, self.hairline),
+            (&mut widgets.inactive, self.pane, self.hairline),
+            (&mut widgets.hovered, self.field, self.accent),
+            (&mut widgets.active, self.field, self.strong),
+            (&mut widgets.open, self.field, self.accent),
+        ] {
+            style.bg_fill = fill;
+            style.weak_bg_fill = fill;
+            style.bg_stroke = Stroke::new(1.0, line);
+            style.fg_stroke = Stroke::new(1.0, self.text);
+            style.corner_radius = CornerRadius::same(CORNER);
+            style.expansion = 0.0;
+        }
     }
 
     /// The one colour of a mode, wherever it is drawn. Seven colours that all eyes can tell apart don't go round fourteen names: a

@@ -44,7 +44,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
                     super::symbol::symbol_ui(
                         ui,
                         &Symbol::parse(phasor.symbol),
-                        13.0,
+                        theme::sizes(ui).inline_symbol,
                         palette.text,
                         Some(28.0),
                     );
@@ -117,7 +117,8 @@ fn draw(ui: &Ui, rect: Rect, phasors: &[Phasor], color: Color32) {
         taken.extend(along(center, *direction));
     }
     for (phasor, direction) in directions {
-        let galley = painter.layout_job(Symbol::parse(phasor.symbol).job(12.0, palette.text));
+        let galley =
+            painter.layout_job(Symbol::parse(phasor.symbol).job(theme::sizes(ui).small_symbol, palette.text));
         let place = label_place(rect, direction, galley.size(), &taken);
         taken.push(place);
         painter.galley(place.min, galley, palette.text);

@@ -52,8 +52,9 @@ impl Share {
         let ground = Frame::new().fill(palette.warning_ground).inner_margin(Margin::symmetric(14, 7));
         let dismissed = Panel::top("notices").frame(ground).show(ui, |ui| {
             for line in lines(&self.notices) {
-                let text =
-                    RichText::new(format!("⚠ {line}")).font(theme::semibold(12.0)).color(palette.warning);
+                let text = RichText::new(format!("⚠ {line}"))
+                    .font(theme::semibold(theme::sizes(ui).value))
+                    .color(palette.warning);
                 ui.label(text);
             }
             ui.button("Dismiss").on_hover_text("Hide what was left out of the link").clicked()
@@ -80,8 +81,11 @@ impl Share {
                 .corner_radius(8)
                 .inner_margin(Margin::symmetric(14, 9))
                 .show(ui, |ui| {
-                    let word =
-                        ui.label(RichText::new(COPIED).font(theme::semibold(13.0)).color(palette.good));
+                    let word = ui.label(
+                        RichText::new(COPIED)
+                            .font(theme::semibold(theme::sizes(ui).body))
+                            .color(palette.good),
+                    );
                     ui.ctx().accesskit_node_builder(word.id, |node| node.set_live(Live::Polite));
                 });
         });

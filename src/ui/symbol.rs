@@ -19,7 +19,7 @@ use egui::{Align, Color32, FontId, Sense, Ui, Vec2, WidgetInfo};
 use super::fonts;
 
 /// Set upright, when they stand between what aren't Latin letters.
-pub(super) const WORDS: [&str; 18] = [
+const WORDS: [&str; 18] = [
     "cos", "sin", "tan", "exp", "ln", "log", "max", "min", "ref", "trim", "Re", "Im", "det", "deg", "for",
     "to", "sample", "size",
 ];
@@ -270,6 +270,19 @@ mod tests {
             assert_eq!(Symbol(text).plain(), plain);
             assert_eq!(pieces(plain), pieces(text));
         }
+    }
+
+    /// Of its letters the upright face has no more: another would be drawn in another face.
+    #[test]
+    fn the_upright_face_has_the_words_that_are_set_in_it() {
+        let mut faces = fonts::definitions();
+        faces.families.insert(fonts::maths_upright(), vec!["maths-upright".to_owned()]);
+        let mut fonts = egui::epaint::text::Fonts::new(Default::default(), faces);
+        let id = FontId::new(14.0, fonts::maths_upright());
+        let missing: String =
+            WORDS.iter().flat_map(|word| word.chars()).filter(|&c| !fonts.has_glyph(&id, c)).collect();
+        assert_eq!(missing, "");
+        assert!(!fonts.has_glyph(&id, 'Q'), "the test can tell");
     }
 
     #[test]

@@ -1,14 +1,13 @@
-//! Spacing and type in one place, and how the colours of a [`Palette`] dress every control.
+//! Spacing and type in one place, and controls that are drawn alike everywhere.
 
 use egui::accesskit::Role;
 use egui::{
-    Button, Color32, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Rect, Response,
-    RichText, Sense, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2,
+    Button, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Response, RichText, Stroke,
+    StrokeKind, TextStyle, Theme, Ui, Vec2,
 };
 
-use egui_plot::Plot;
-
 use super::fonts;
+use super::palette::CORNER;
 pub use super::palette::{Look, Palette};
 
 /// Height of a control that a finger may have to hit \[points\].
@@ -16,8 +15,6 @@ pub const TOUCH_HEIGHT: f32 = 44.0;
 
 /// The same for a mouse.
 const MOUSE_HEIGHT: f32 = 26.0;
-/// Radius of the corners of a control: from 6 on egui draws them with twice as many points, in every frame, and nobody sees it.
-const CORNER: u8 = 5;
 
 /// Makes every control as high as a finger needs it, lists included, or as a mouse does. Says whether that is a change.
 pub fn make_room(ctx: &Context, fingers: bool) -> bool {
@@ -41,14 +38,72 @@ pub fn make_low(ui: &mut Ui, height: f32) {
     }
 }
 
+/// Sizes of type \[points\]. Letters of the maths face are smaller than those of the text, so symbols have sizes of their own.
+#[derive(Debug)]
+pub struct Sizes {
+    /// Numbers on axes and in bars.
+    pub tick: f32,
+    /// Units beside numbers.
+    pub unit: f32,
+    /// Words on coloured chips, and numbers beside marks.
+    pub chip: f32,
+    /// Text that explains, and headings of groups.
+    pub small: f32,
+    /// Numbers and sentences that stand out.
+    pub value: f32,
+    /// Names of marks, and numbers that are typed.
+    pub name: f32,
+    /// Text of the page.
+    pub body: f32,
+    /// The name of a mode on its card.
+    pub card: f32,
+    /// The heading of a sheet.
+    pub sheet: f32,
+    /// The name of the page.
+    pub brand: f32,
+    /// Symbols on a picture of their own.
+    pub small_symbol: f32,
+    /// Symbols within a line of small text.
+    pub inline_symbol: f32,
+    /// Symbols beside a number.
+    pub symbol: f32,
+    /// Symbols as a title.
+    pub title_symbol: f32,
+    /// Symbols at the head of a row.
+    pub row_symbol: f32,
+}
+
+const SIZES: Sizes = Sizes {
+    tick: 10.0,
+    unit: 10.5,
+    chip: 11.0,
+    small: 11.5,
+    value: 12.0,
+    name: 12.5,
+    body: 13.0,
+    card: 14.0,
+    sheet: 16.0,
+    brand: 17.0,
+    small_symbol: 12.0,
+    inline_symbol: 13.0,
+    symbol: 14.0,
+    title_symbol: 15.0,
+    row_symbol: 16.0,
+};
+
+/// The sizes of type in force.
+pub const fn sizes(_: &Context) -> &'static Sizes {
+    &SIZES
+}
+
 /// Text of the page.
-pub fn body() -> FontId {
-    FontId::proportional(13.0)
+pub const fn body() -> FontId {
+    FontId::proportional(SIZES.body)
 }
 
 /// Text that explains, one size down.
-pub fn small() -> FontId {
-    FontId::proportional(11.5)
+pub const fn small() -> FontId {
+    FontId::proportional(SIZES.small)
 }
 
 /// Semibold text of a size.
@@ -63,9 +118,9 @@ pub fn install(ctx: &Context) {
         style.text_styles = [
             (TextStyle::Small, small()),
             (TextStyle::Body, body()),
-            (TextStyle::Button, FontId::proportional(13.0)),
-            (TextStyle::Heading, semibold(13.0)),
-            (TextStyle::Monospace, FontId::new(13.0, FontFamily::Monospace)),
+            (TextStyle::Button, body()),
+            (TextStyle::Heading, semibold(SIZES.body)),
+            (TextStyle::Monospace, FontId::new(SIZES.body, FontFamily::Monospace)),
         ]
         .into();
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
@@ -80,38 +135,7 @@ pub fn install(ctx: &Context) {
         style.interaction.selectable_labels = false;
     });
     for (theme, palette) in [(Theme::Light, Look::Light.palette()), (Theme::Dark, Look::Dark.palette())] {
-        ctx.style_mut_of(theme, |style| paint_style(&mut style.visuals, palette));
-    }
-}
-
-/// Dresses every control in the colours of a palette.
-pub(super) fn paint_style(visuals: &mut egui::Visuals, palette: &Palette) {
-    visuals.panel_fill = palette.background;
-    visuals.window_fill = palette.pane;
-    visuals.window_stroke = Stroke::new(1.0, palette.hairline);
-    visuals.extreme_bg_color = palette.pane;
-    visuals.faint_bg_color = palette.field;
-    visuals.weak_text_color = Some(palette.weak);
-    visuals.error_fg_color = palette.bad;
-    visuals.warn_fg_color = palette.warning;
-    visuals.hyperlink_color = palette.link();
-    visuals.selection.bg_fill = palette.strong;
-    visuals.selection.stroke = Stroke::new(1.0, palette.on_strong);
-    visuals.popup_shadow.color = Color32::from_black_alpha(30);
-    let widgets = &mut visuals.widgets;
-    for (style, fill, line) in [
-        (&mut widgets.noninteractive, palette.pane, palette.hairline),
-        (&mut widgets.inactive, palette.pane, palette.hairline),
-        (&mut widgets.hovered, palette.field, palette.accent),
-        (&mut widgets.active, palette.field, palette.strong),
-        (&mut widgets.open, palette.field, palette.accent),
-    ] {
-        style.bg_fill = fill;
-        style.weak_bg_fill = fill;
-        style.bg_stroke = Stroke::new(1.0, line);
-        style.fg_stroke = Stroke::new(1.0, palette.text);
-        style.corner_radius = CornerRadius::same(CORNER);
-        style.expansion = 0.0;
+        ctx.style_mut_of(theme, |style| palette.dress(&mut style.visuals));
     }
 }
 
@@ -149,25 +173,6 @@ pub fn name_chooser<R>(chooser: InnerResponse<Option<R>>, name: &str, chosen: &s
         node.set_expanded(chooser.inner.is_some());
     });
     response
-}
-
-/// A plot that fills `rect` and doesn't move under the hand: what it shows is set by its caller.
-pub fn still_plot<'a>(id: impl egui::AsIdSalt, rect: Rect) -> Plot<'a> {
-    Plot::new(id)
-        // Not for the keyboard, which would find nothing to do there.
-        .sense(Sense::CLICK | Sense::DRAG)
-        .width(rect.width())
-        .height(rect.height())
-        .show_axes(false)
-        .show_background(false)
-        .show_grid(false)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .show_crosshair(false)
-        .label_formatter(|_| None)
 }
 
 /// The outline of a text field that has focus: its own has the colour of chosen text, which is that of the field.

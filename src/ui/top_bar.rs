@@ -45,7 +45,7 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         return ui.horizontal(second).inner.or(action);
     }
     let row = |ui: &mut Ui| {
-        theme::heading(ui, RichText::new("Eigenwing").font(theme::semibold(17.0)), 1);
+        theme::heading(ui, RichText::new("Eigenwing").font(theme::semibold(theme::sizes(ui).brand)), 1);
         ui.add_space(6.0);
         let action = aircraft_ui(ui, bar);
         status_ui(ui, bar.scenario);

@@ -3,12 +3,12 @@
 use egui::{FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use nalgebra::Complex;
 
-use super::chart::Chart;
 use super::grid;
 use super::labels::Placement;
 use crate::flight::verdicts::handling_qualities::Level;
 use crate::flight::verdicts::level_boundaries::{Boundary, Line};
-use crate::ui::theme::Palette;
+use crate::ui::chart::{Chart, spaced};
+use crate::ui::theme::{self, Palette};
 use crate::words;
 
 /// Distance and length of the strokes of the hatching.
@@ -83,22 +83,6 @@ pub fn draw(painter: &Painter, palette: &Palette, lines: &[Drawn<'_>]) {
     }
 }
 
-/// Points of a line at equal distances.
-pub fn spaced(line: &[Pos2], distance: f32) -> Vec<Pos2> {
-    let mut points = Vec::new();
-    let mut ahead = 0.5 * distance;
-    for pair in line.windows(2) {
-        let way = pair[1] - pair[0];
-        let length = way.length();
-        while ahead <= length {
-            points.push(pair[0] + way * (ahead / length));
-            ahead += distance;
-        }
-        ahead -= length;
-    }
-    points
-}
-
 /// Keeps labels off the lines.
 pub fn keep_clear(placement: &mut Placement, lines: &[Drawn<'_>]) {
     for at in lines.iter().flat_map(|line| &line.parts).flat_map(|part| spaced(part, 8.0)) {
@@ -116,8 +100,8 @@ pub fn distance(boundary: &Boundary, chart: &Chart, to: Pos2) -> f32 {
 pub fn labels(painter: &Painter, palette: &Palette, placement: &mut Placement, lines: &[Drawn<'_>]) {
     for Drawn { boundary, parts, fails } in lines {
         let color = palette.mode_text(boundary.criterion.concerns());
-        let galley =
-            painter.layout_no_wrap(words::verdict::boundary(boundary), FontId::proportional(10.0), color);
+        let font = FontId::proportional(theme::sizes(painter.ctx()).tick);
+        let galley = painter.layout_no_wrap(words::verdict::boundary(boundary), font, color);
         let place = |at: Pos2| {
             let keeps = -fails(at);
             let half = 0.5 * galley.size();

@@ -115,7 +115,7 @@ impl Choices {
             job.append(before, 0.0, text(palette.weak));
             for (i, p) in parameters.iter().take(written).enumerate() {
                 job.append(if i > 0 { ", " } else { " " }, 0.0, text(palette.text));
-                Symbol::parse(p.symbol).append_to(&mut job, 13.0, palette.text);
+                Symbol::parse(p.symbol).append_to(&mut job, theme::sizes(ui).inline_symbol, palette.text);
             }
             match parameters.len() {
                 0 => job.append(" nothing", 0.0, text(palette.text)),
@@ -184,7 +184,7 @@ fn mover_ui(
     let palette = Palette::of(ui);
     ui.horizontal(|ui| {
         let symbol = Symbol::parse(parameter.symbol);
-        let mut job = symbol.job(14.0, palette.text);
+        let mut job = symbol.job(theme::sizes(ui).symbol, palette.text);
         let name = TextFormat::simple(theme::small(), palette.weak);
         job.append(&format!("  {}", parameter.name), 0.0, name);
         let mut chosen = keys.contains(&key);

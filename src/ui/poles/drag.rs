@@ -3,10 +3,10 @@
 use egui::Vec2;
 use nalgebra::Complex;
 
-use super::chart::Chart;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::Scenario;
+use crate::ui::chart::Chart;
 use crate::words;
 
 /// What a person's hand does with a pole in this frame.
@@ -45,7 +45,7 @@ pub struct Held {
 impl Held {
     /// Where the pointer wants it \[1/s\], in the upper half; a real root stays on the axis.
     pub fn wanted(&self, chart: &Chart, pointer: egui::Pos2) -> Complex<f64> {
-        let at = chart.at(pointer - self.grip);
+        let at: Complex<f64> = chart.at(pointer - self.grip).into();
         if self.mode.is_oscillatory() {
             // Across the real axis lies the conjugate.
             Complex::new(at.re, if self.lower { (-at.im).max(0.0) } else { at.im.max(0.0) })

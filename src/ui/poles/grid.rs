@@ -5,11 +5,11 @@ use std::sync::Arc;
 use egui::{Align2, Color32, FontId, Galley, Mesh, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 use nalgebra::Complex;
 
-use super::chart::{Chart, View};
 use super::labels::Placement;
-use crate::number::trimmed;
+use crate::number::{nice_step, trimmed};
+use crate::ui::chart::{Chart, Room, Scale, Tick, View};
 use crate::ui::kept::kept;
-use crate::ui::theme::Palette;
+use crate::ui::theme::{self, Palette};
 
 /// Damping ratios of the rays.
 const DAMPING_RATIOS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
@@ -17,10 +17,12 @@ const DAMPING_RATIOS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 /// Length of a dash and of the gap behind it.
 const DASH: (f32, f32) = (5.0, 5.0);
 
-/// Arcs on a map are no more than this.
+/// Arcs on a fitted map, no more than these, and fewer where rounding makes their step larger.
+const ARCS: f64 = 6.0;
+/// Arcs on a map are never more than this.
 const MOST_ARCS: f64 = 60.0;
 
-/// Natural frequencies of the arcs \[rad/s\]: three to six round numbers over what the map shows of the left half plane.
+/// Natural frequencies of the arcs \[rad/s\]: two to six round numbers over what the map shows of the left half plane.
 fn arc_frequencies(view: View) -> impl Iterator<Item = f64> {
     // The nearest point to the origin, which may be off the map.
     let nearest = |low: f64, high: f64| 0.0_f64.clamp(low.min(high), high.max(low));
@@ -28,16 +30,7 @@ fn arc_frequencies(view: View) -> impl Iterator<Item = f64> {
     let far = view.reach();
     let edge = view.top.max(-view.bottom).max(-view.left);
     let span = if near > 0.0 { far - near } else { edge };
-    let decade = 10_f64.powf((span / 3.0).log10().floor());
-    let digit = span / 3.0 / decade;
-    let step = decade
-        * if digit < 2.0 {
-            1.0
-        } else if digit < 5.0 {
-            2.0
-        } else {
-            5.0
-        };
+    let step = nice_step(span / ARCS);
     let first = (near / step).ceil().max(1.0);
     let count = ((far / step).floor() - first + 1.0).clamp(0.0, MOST_ARCS) as usize;
     (0..count).map(move |k| (first + k as f64) * step)
@@ -118,73 +111,41 @@ fn thin_line(mesh: &mut Mesh, ends: [Pos2; 2], color: Color32) {
     }
 }
 
-/// Size of the figures.
-const FIGURE: f32 = 10.0;
 /// Length of a tick at the lower edge.
 const TICK: f32 = 4.0;
 /// From one row of words to the next.
 const ROW: f32 = 17.0;
 /// Figures of arcs are so far from each other.
 const APART: f32 = 30.0;
+/// Ticks of the real axis likewise.
+const TICKS_APART: f32 = 44.0;
 
 /// Writes the scale before anything else takes its place: figures of Re λ along the lower edge, with ticks there and on the real
 /// axis where real poles are read, and one arc's ωₙ, which it gives.
 pub fn scale(painter: &Painter, chart: &Chart, palette: &Palette, placement: &mut Placement) -> Option<f64> {
     let (rect, origin) = (chart.rect, chart.position(Complex::from(0.0)));
     let line = Stroke::new(1.0, palette.weak);
-    for (re, text) in ticks(chart, |text| figure(painter, text, palette).size().x) {
-        let x = chart.position(Complex::from(re)).x;
+    for Tick { value, label } in ticks(chart, &|text| figure(painter, text.to_owned(), palette).size().x) {
+        let x = chart.position(Complex::from(value)).x;
         painter.vline(x, rect.bottom() - TICK..=rect.bottom(), line);
         painter.vline(x, origin.y - 0.6 * TICK..=origin.y + 0.6 * TICK, line);
-        let galley = figure(painter, text, palette);
-        // Where a pole or another mark is at the edge, it stands under the real axis.
-        let places = [
-            Align2::CENTER_BOTTOM.anchor_size(pos2(x, rect.bottom() - TICK), galley.size()),
-            Align2::CENTER_TOP.anchor_size(pos2(x, origin.y + TICK), galley.size()),
-        ];
-        write(painter, placement, galley, places);
+        let galley = figure(painter, label, palette);
+        let place = Align2::CENTER_BOTTOM.anchor_size(pos2(x, rect.bottom() - TICK), galley.size());
+        write(painter, placement, galley, [place]);
     }
     arc_frequencies(chart.view).find(|wn| arc_label(painter, chart, palette, placement, *wn))
 }
 
-/// Round numbers of Re λ on the map but for 0, which has its own line: at least two, and as many as there is room for figures of a
-/// `width`.
-fn ticks(chart: &Chart, width: impl Fn(String) -> f32) -> Vec<(f64, String)> {
-    const STEPS: [f64; 3] = [5.0, 2.0, 1.0];
-    let (left, right) = (chart.at(chart.rect.left_top()).re, chart.at(chart.rect.right_top()).re);
-    let largest = 10_f64.powf((right - left).abs().max(f64::MIN_POSITIVE).log10().floor());
-    let steps = [1.0, 0.1, 0.01].into_iter().flat_map(|decade| STEPS.map(|digit| digit * decade * largest));
-    let mut chosen = Vec::new();
-    for step in steps {
-        let (first, last) = ((left / step).ceil(), (right / step).floor());
-        let count = (last - first + 1.0).clamp(0.0, 60.0) as usize;
-        let marks: Vec<(f64, String)> = (0..count)
-            .map(|k| first + k as f64)
-            .filter(|k| *k != 0.0)
-            .map(|k| (k * step, trimmed(k * step, 6)))
-            .filter(|(re, text)| {
-                let half = 0.5 * width(text.clone()) + 3.0;
-                let x = chart.position(Complex::from(*re)).x;
-                chart.rect.left() + half < x && x < chart.rect.right() - half
-            })
-            .collect();
-        let widest = marks.iter().map(|(_, text)| width(text.clone())).fold(0.0, f32::max);
-        let crowded = f64::from(widest + 12.0) * chart.per_point() > step;
-        if crowded && chosen.len() >= 2 {
-            break;
-        }
-        chosen = marks;
-        if crowded && chosen.len() >= 2 {
-            // Every second one, where two are left.
-            let every = if chosen.len() > 2 { 2 } else { 1 };
-            return chosen.into_iter().step_by(every).collect();
-        }
-    }
-    chosen
+/// Round numbers of Re λ on the map but for 0, which has its own line; `width` is that of a label.
+fn ticks(chart: &Chart, width: &dyn Fn(&str) -> f32) -> Vec<Tick> {
+    let is_zero = |label: &str| label.chars().all(|c| matches!(c, '0' | '.'));
+    let extent = |label: &str| if is_zero(label) { f32::INFINITY } else { width(label) };
+    let room = Room { length: chart.rect.width(), apart: TICKS_APART, extent: &extent, overhang: -3.0 };
+    Scale::Even.ticks(&(chart.view.left..=chart.view.right), room)
 }
 
 fn figure(painter: &Painter, text: String, palette: &Palette) -> Arc<Galley> {
-    painter.layout_no_wrap(text, FontId::proportional(FIGURE), palette.weak)
+    painter.layout_no_wrap(text, FontId::proportional(theme::sizes(painter.ctx()).tick), palette.weak)
 }
 
 /// Writes a figure at the first of some places that is free, and says whether one was.
@@ -270,7 +231,7 @@ mod tests {
 
     #[test]
     fn every_map_has_two_figures_of_the_real_axis_and_a_wide_one_has_none_on_another() {
-        let width = |text: String| 6.0 * text.chars().count() as f32;
+        let width = |text: &str| 6.0 * text.chars().count() as f32;
         for (points, height) in [(70.0, 260.0), (99.0, 260.0), (155.0, 190.0), (236.0, 320.0), (600.0, 500.0)]
         {
             let rect = Rect::from_min_size(pos2(3.0, 4.0), Vec2::new(points, height));
@@ -278,10 +239,10 @@ mod tests {
                 let scale = 1e-4 * 10_f64.powf(0.04 * f64::from(k));
                 let view = View { left: -5.0 * scale, right: scale, bottom: -scale, top: scale };
                 let chart = Chart { rect, view };
-                let ticks = ticks(&chart, width);
+                let ticks = ticks(&chart, &width);
                 assert!(ticks.len() >= 2, "{points} points, {scale}: {ticks:?}");
-                let end = |(re, text): &(f64, String), side: f32| {
-                    chart.position(Complex::from(*re)).x + side * 0.5 * width(text.clone())
+                let end = |tick: &Tick, side: f32| {
+                    chart.position(Complex::from(tick.value)).x + side * 0.5 * width(&tick.label)
                 };
                 let apart = ticks.windows(2).all(|pair| end(&pair[0], 1.0) < end(&pair[1], -1.0));
                 assert!(apart || points < 200.0, "{points} points, {scale}: {ticks:?}");
@@ -299,7 +260,7 @@ mod tests {
             (30.0, Complex::new(-0.02, 0.2)),
             (0.1, Complex::new(-1.0, 0.0)),
         ] {
-            let view = fitted.zoomed(factor, about);
+            let view = fitted.zoomed(factor, about.into());
             let arcs: Vec<f64> = arc_frequencies(view).collect();
             assert!((2..=40).contains(&arcs.len()), "{factor}: {arcs:?}");
             assert!(arcs.iter().all(|wn| *wn <= view.reach()), "{factor}: {arcs:?}");

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2};
 use nalgebra::Complex;
 
-use super::chart::{Chart, View};
 use super::drag::{Held, Outcome};
 use super::labels::{Kept, Place, Placement, Wanted};
 use super::trail::Trail;
@@ -15,6 +14,7 @@ use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{fixed, round_up, significant};
+use crate::ui::chart::{Chart, View};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -310,9 +310,10 @@ fn texts(painter: &Painter, palette: &Palette, mode: &Mode) -> Vec<Lines> {
     let color = palette.mode_text(mode.naming.name);
     let text = |text: String, font: FontId| painter.layout_no_wrap(text, font, color);
     let name = words::mode::title(mode.naming.name);
-    let numbers = text(numbers(mode), FontId::proportional(11.0));
-    let mut texts = vec![vec![text(name.to_owned(), theme::semibold(12.5)), numbers]];
-    let font = || theme::semibold(11.5);
+    let sizes = theme::sizes(painter.ctx());
+    let numbers = text(numbers(mode), FontId::proportional(sizes.chip));
+    let mut texts = vec![vec![text(name.to_owned(), theme::semibold(sizes.name)), numbers]];
+    let font = || theme::semibold(sizes.small);
     let whole = text(name.to_owned(), font());
     let width = whole.size().x;
     texts.push(vec![whole]);

@@ -2,7 +2,6 @@
 //!
 //! | file | in one line |
 //! |---|---|
-//! | `chart` | between the plane and the screen |
 //! | `range` | what a map shows: fitted, or held where a person has brought it |
 //! | `grid` | half planes, rays, arcs |
 //! | `map` | one map and its labels |
@@ -16,7 +15,6 @@
 //! of one state.
 
 mod boundaries;
-mod chart;
 mod choices;
 mod drag;
 mod grid;
@@ -38,12 +36,12 @@ use nalgebra::Complex;
 pub use choices::Choices;
 pub use drag::Hand;
 
-use self::chart::Chart;
 use self::drag::{Held, Outcome, place};
 use self::map::{CAPTION, Extras, Map, Stood};
 use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
+use super::chart::{Chart, PlotPoint};
 use super::memo::Memo;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
@@ -52,7 +50,7 @@ use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
 use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
-use crate::number::{round_up, significant};
+use crate::number::{eigenvalue, round_up};
 use crate::scenario::{Page, Parameter, Scenario};
 use crate::words;
 
@@ -302,7 +300,7 @@ impl PoleMap {
             }
         }
         if ground.dragged() && held && self.held.is_none() && pinch.is_none() {
-            range.pan(chart, -chart.across(ground.drag_motion()));
+            range.pan(chart, chart.across(-ground.drag_motion()));
         }
         if ground.clicked() {
             match pole(ground.interact_pointer_pos()) {
@@ -396,7 +394,7 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
 }
 
 /// Zoom in and out, and back where that is not where the map is.
-fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, middle: Complex<f64>) {
+fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, middle: PlotPoint) {
     // A finger could not hit them: two fingers do as well.
     let for_mouse = !theme::is_for_fingers(ui);
     let row = Rect::from_min_size(map.rect.min, Vec2::new(map.rect.width(), CAPTION - 1.0));
@@ -440,7 +438,7 @@ fn sentence_ui(ui: &mut Ui, sentence: &str, map: Rect, palette: &Palette, draw: 
         // A symbol may have a comma or a stop behind it.
         let symbol = word.trim_end_matches([',', '.', ':']);
         if symbol.contains('_') {
-            Symbol::parse(symbol).append_to(&mut job, 13.0, palette.warning);
+            Symbol::parse(symbol).append_to(&mut job, theme::sizes(ui).inline_symbol, palette.warning);
             text(&word[symbol.len()..], &mut job);
         } else {
             text(word, &mut job);
@@ -464,10 +462,4 @@ fn card(of: &Response, anchor: Rect, seen: &Seen<'_>, near: Near<'_>) {
     Tooltip::always_open(of.ctx.clone(), of.layer_id, of.id, anchor)
         .gap(6.0)
         .show(|ui| card_ui(ui, seen, near));
-}
-
-/// "−2.51 ± 2.59j".
-pub fn eigenvalue(lambda: Complex<f64>) -> String {
-    let re = significant(lambda.re, 4);
-    if lambda.im > 0.0 { format!("{re} ± {}j", significant(lambda.im, 4)) } else { re }
 }

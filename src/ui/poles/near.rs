@@ -3,14 +3,14 @@
 use egui::{Pos2, RichText, Ui};
 use nalgebra::Complex;
 
-use super::chart::Chart;
-use super::{Seen, boundaries, eigenvalue, marks};
+use super::{Seen, boundaries, marks};
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::level_boundaries::Boundary;
-use crate::number::significant;
+use crate::number::{eigenvalue, significant};
 use crate::scenario::Parameter;
+use crate::ui::chart::Chart;
 use crate::ui::mode_cards::numbers_ui;
 use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
@@ -123,7 +123,9 @@ fn on_path(chart: &Chart, seen: &Seen<'_>, at: Pos2) -> Option<Near<'static>> {
 pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
     let palette = Palette::of(ui);
     let title = |ui: &mut Ui, text: &str, name: ModeName| {
-        ui.label(RichText::new(text).font(theme::semibold(12.5)).color(palette.mode_text(name)));
+        ui.label(
+            RichText::new(text).font(theme::semibold(theme::sizes(ui).name)).color(palette.mode_text(name)),
+        );
     };
     match near {
         Near::Pole(index) => {
@@ -166,8 +168,9 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
         Near::Path { parameter, value, lambda, name } => {
             let length = seen.scenario.aircraft.length_unit;
             let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-            let mut job = Symbol::parse(parameter.symbol).job(14.0, palette.text);
-            let text = egui::TextFormat::simple(egui::FontId::proportional(12.5), palette.text);
+            let mut job = Symbol::parse(parameter.symbol).job(theme::sizes(ui).symbol, palette.text);
+            let text =
+                egui::TextFormat::simple(egui::FontId::proportional(theme::sizes(ui).name), palette.text);
             job.append(&format!(" = {} {unit}", significant(value / in_si, 3)), 0.0, text);
             ui.label(job);
             if let Some(name) = name {

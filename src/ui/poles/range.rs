@@ -1,10 +1,8 @@
 //! What a map shows: fitted to its poles, or held where a person has zoomed or moved it to.
 
 use egui::{Pos2, Rect, Ui, Vec2};
-use nalgebra::Complex;
 
-use super::chart::{Chart, View};
-use crate::ui::axis_range::AxisRange;
+use crate::ui::chart::{AxisRange, Chart, PlotPoint, View};
 
 /// A map can be brought this much nearer than fitted, and this much further away.
 const NEAREST: f64 = 300.0;
@@ -59,7 +57,7 @@ impl MapRange {
     }
 
     /// Brings `chart` nearer by a factor, about a point of the plane.
-    pub fn zoom(&mut self, chart: Chart, factor: f64, about: Complex<f64>) {
+    pub fn zoom(&mut self, chart: Chart, factor: f64, about: PlotPoint) {
         let height = chart.view.top - chart.view.bottom;
         let factor =
             factor.clamp(height / (FARTHEST * self.fitted_height), NEAREST * height / self.fitted_height);
@@ -70,13 +68,13 @@ impl MapRange {
 
     /// What two fingers do: `centre` is where they are, `by` how far that has gone, `factor` how far they have parted.
     pub fn pinch(&mut self, chart: Chart, centre: Pos2, by: Vec2, factor: f64) {
-        self.pan(chart, -chart.across(by));
+        self.pan(chart, chart.across(-by));
         let chart = Chart { view: self.held.unwrap_or(chart.view), ..chart };
         self.zoom(chart, factor, chart.at(centre));
     }
 
     /// Moves what `chart` shows.
-    pub fn pan(&mut self, chart: Chart, by: Complex<f64>) {
+    pub fn pan(&mut self, chart: Chart, by: PlotPoint) {
         // Zero stays within a few screens: nothing lies beyond.
         let moved = chart.view.moved(by);
         let far = FARTHEST * self.fitted_height;

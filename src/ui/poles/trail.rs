@@ -3,10 +3,10 @@
 use egui::{Key, Painter, Rect, Shape, Stroke, Ui};
 use nalgebra::Complex;
 
-use super::chart::Chart;
 use super::marks;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
+use crate::ui::chart::Chart;
 use crate::ui::theme::Palette;
 
 /// Samples kept; of a longer way every second one is dropped.

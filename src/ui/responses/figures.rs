@@ -115,7 +115,7 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
     };
     let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| significant(value, 3));
     let head = |ui: &mut Ui, text: &str| {
-        ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.weak));
+        ui.label(RichText::new(text).font(theme::semibold(theme::sizes(ui).small)).color(palette.weak));
     };
     let random = in_turbulence(studied);
     let columns: &[&str] = if random { &["r.m.s."] } else { &["Steady", "Rise", "Settled", "Overshoot"] };
@@ -128,7 +128,8 @@ fn table_ui(ui: &mut Ui, studied: Studied<'_>) {
             let (quantity, unit_symbol, unit) = units(output, studied.scenario);
             let row = output.row(&motion.model, &motion.forced);
             let most = peak(&course, &row);
-            ui.label(Symbol::parse(quantity.symbol).job(14.0, palette.text)).accessible_name(quantity.name);
+            ui.label(Symbol::parse(quantity.symbol).job(theme::sizes(ui).symbol, palette.text))
+                .accessible_name(quantity.name);
             ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
                 .on_hover_text(quantity.name);
             // What is largest where the linear model ends goes on to grow, nobody knows how far.

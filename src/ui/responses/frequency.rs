@@ -1,10 +1,8 @@
 //! The frequency response of the input at work: gain and phase over frequency, with the peaks that the oscillations make.
 
 use egui::{RichText, Ui};
-use egui_plot::PlotPoint;
 
 use super::legend::{self, Entry, Mark};
-use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, input_words, units};
 use super::time::grid;
 use super::{Basis, Seen, kept, note_ui, output_ui};
@@ -18,6 +16,7 @@ use crate::flight::motion::frequency_response::{
 use crate::flight::motion::outputs::Output;
 use crate::number::significant;
 use crate::scenario::link::Sight;
+use crate::ui::chart::{Curve, Pattern, Picture, PlotPoint, Scale, SmallPlot};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -97,16 +96,16 @@ impl Sheet {
         let pinned = ghost.map(|ghost| bode(ghost, output, range));
         let bode = bode(studied, output, range);
 
-        let decibels = |bode: &Bode, name, color, stroke| {
-            curve(bode, name, color, stroke, |point| 20.0 * (point.value.norm() / bode.unit).log10())
+        let decibels = |bode: &Bode, name, color, pattern| {
+            curve(bode, name, color, pattern, |point| 20.0 * (point.value.norm() / bode.unit).log10())
         };
-        let degrees = |bode: &Bode, name, color, stroke| {
-            curve(bode, name, color, stroke, |point| point.phase.to_degrees())
+        let degrees = |bode: &Bode, name, color, pattern| {
+            curve(bode, name, color, pattern, |point| point.phase.to_degrees())
         };
-        let with_ghost = |of: &dyn Fn(&Bode, &'static str, egui::Color32, Stroke) -> Curve| {
-            let mut curves = vec![of(&bode, "linear", palette.text, Stroke::Full)];
+        let with_ghost = |of: &dyn Fn(&Bode, &'static str, egui::Color32, Pattern) -> Curve| {
+            let mut curves = vec![of(&bode, "linear", palette.text, Pattern::Full)];
             if let Some(pinned) = &pinned {
-                curves.push(of(pinned, "pinned", palette.ghost, Stroke::Dashed));
+                curves.push(of(pinned, "pinned", palette.ghost, Pattern::Dashed));
             }
             curves
         };
@@ -120,7 +119,7 @@ impl Sheet {
             against: ("ω", "rad/s"),
             uprights: uprights.clone(),
             x_range: Some(range.0.log10()..=range.1.log10()),
-            logarithmic: true,
+            scales: (Scale::Decades, Scale::Even),
             with_zero: false,
             ..Picture::of_time(symbol.as_str(), unit, curves)
         };
@@ -134,8 +133,8 @@ impl Sheet {
             .collect();
         let gain_unit = format!("dB of {unit} per {input_unit}");
         let gain = Picture { dots, ..picture(gain_unit, with_ghost(&decibels)) };
-        let phase =
-            Picture { names_axis: true, is_phase: true, ..picture("deg".to_owned(), with_ghost(&degrees)) };
+        let scales = (Scale::Decades, Scale::RightAngles);
+        let phase = Picture { scales, ..picture("deg".to_owned(), with_ghost(&degrees)) };
         let pictures = [gain, phase];
         let mut entries = legend::curves(&pictures);
         entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
@@ -177,13 +176,13 @@ fn curve(
     bode: &Bode,
     name: &'static str,
     color: egui::Color32,
-    stroke: Stroke,
+    pattern: Pattern,
     value: impl Fn(&FrequencyPoint) -> f64,
 ) -> Curve {
     let point =
         |point: &FrequencyPoint| PlotPoint::new(point.frequency.log10(), value(point).clamp(-400.0, 4e4));
     let points: Vec<PlotPoint> = bode.points.iter().map(point).collect();
-    Curve::new(name, points, color, stroke)
+    Curve::new(name, points, color, pattern)
 }
 
 fn peaks_ui(ui: &mut Ui, bode: &Bode) {
@@ -205,7 +204,11 @@ fn peaks_ui(ui: &mut Ui, bode: &Bode) {
                 words::mode::title(peak.mode),
                 significant(peak.frequency, 3)
             );
-            ui.label(RichText::new(text).font(theme::semibold(11.5)).color(palette.mode_text(peak.mode)));
+            ui.label(
+                RichText::new(text)
+                    .font(theme::semibold(theme::sizes(ui).small))
+                    .color(palette.mode_text(peak.mode)),
+            );
             ui.add_space(10.0);
         }
     });

@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 
-use egui::{Color32, Galley, Id, Painter, Pos2, Rect, Sense, Shape, Ui, Vec2, WidgetInfo, accesskit::Role};
+use egui::{Color32, Galley, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
 
-use super::plot::{Picture, Stroke};
+use crate::ui::chart::{self, Pattern, Picture, Primitive, SAMPLE};
 use crate::ui::theme::{self, Palette};
 
-/// Length of a sample of a line.
-pub const SAMPLE: f32 = 18.0;
 /// Between a sample and its words, and between two of them.
 const GAPS: (f32, f32) = (4.0, 12.0);
 const LINE_HEIGHT: f32 = 17.0;
@@ -17,7 +15,7 @@ const LINE_HEIGHT: f32 = 17.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
     /// A curve.
-    Curve(Stroke),
+    Curve(Pattern),
     /// An upright line.
     Upright,
     /// A dot.
@@ -28,10 +26,10 @@ impl Mark {
     /// How a screen reader tells it from the others.
     const fn text(self) -> &'static str {
         match self {
-            Self::Curve(Stroke::Full) => "full line",
-            Self::Curve(Stroke::Dashed) => "dashed",
-            Self::Curve(Stroke::Dotted) => "dotted",
-            Self::Curve(Stroke::Part) => "filled",
+            Self::Curve(Pattern::Full) => "full line",
+            Self::Curve(Pattern::Dashed) => "dashed",
+            Self::Curve(Pattern::Dotted) => "dotted",
+            Self::Curve(Pattern::Filled) => "filled",
             Self::Upright => "upright line",
             Self::Dot => "dot",
         }
@@ -55,10 +53,10 @@ pub fn curves(pictures: &[Picture]) -> Vec<Entry> {
     for curve in pictures.iter().flat_map(|picture| &picture.curves) {
         if !entries.iter().any(|entry| entry.name == curve.name) {
             let (color, name) = (curve.color, curve.name.to_owned());
-            entries.push(Entry { mark: Mark::Curve(curve.stroke), color, name });
+            entries.push(Entry { mark: Mark::Curve(curve.pattern), color, name });
         }
     }
-    entries.sort_by_key(|entry| entry.mark == Mark::Curve(Stroke::Part));
+    entries.sort_by_key(|entry| entry.mark == Mark::Curve(Pattern::Filled));
     entries
 }
 
@@ -97,35 +95,21 @@ pub fn legend_ui(ui: &mut Ui, entries: &[Entry], beside: Option<Rect>) {
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("Legend: {}", said.join("; "))));
     for ((entry, galley), place) in entries.iter().zip(galleys).zip(places) {
         let left = area.min + place + Vec2::new(0.0, 0.5 * LINE_HEIGHT);
-        sample(ui.painter(), left, entry.mark, entry.color);
+        chart::paint(ui.painter(), vec![sample(left, entry.mark, entry.color)]);
         let text = left + Vec2::new(SAMPLE + GAPS.0, -0.5 * galley.size().y);
         ui.painter().galley(text, galley, palette.weak);
     }
 }
 
 /// A sample of a mark, as long as [`SAMPLE`] and with the middle of its left end here.
-pub fn sample(painter: &Painter, left: Pos2, mark: Mark, color: Color32) {
-    let ends = [left, left + Vec2::new(SAMPLE, 0.0)];
+fn sample(left: Pos2, mark: Mark, color: Color32) -> Primitive {
     let middle = left + Vec2::new(0.5 * SAMPLE, 0.0);
     match mark {
-        Mark::Curve(Stroke::Full) => {
-            painter.line_segment(ends, (1.8, color));
-        }
-        Mark::Curve(Stroke::Dashed) => {
-            painter.extend(Shape::dashed_line(&ends, (1.4, color), 4.0, 3.0));
-        }
-        Mark::Curve(Stroke::Dotted) => {
-            painter.extend(Shape::dotted_line(&ends, color, 3.6, 1.1));
-        }
-        Mark::Curve(Stroke::Part) => {
-            painter.rect_filled(Rect::from_center_size(middle, Vec2::splat(9.0)), 1.5, color);
-        }
+        Mark::Curve(pattern) => chart::sample(left, pattern, color),
         Mark::Upright => {
-            let [top, bottom] = [-6.0, 6.0].map(|y| middle + Vec2::new(0.0, y));
-            painter.extend(Shape::dashed_line(&[top, bottom], (1.2, color), 3.0, 2.0));
+            let ends = [6.0, -6.0].map(|y| middle + Vec2::new(0.0, y));
+            Primitive::line(ends, Stroke::new(1.2, color), Pattern::Dashed)
         }
-        Mark::Dot => {
-            painter.circle_filled(middle, 3.5, color);
-        }
+        Mark::Dot => Primitive::Dot(middle, chart::DOT, color),
     }
 }

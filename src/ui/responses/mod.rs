@@ -6,9 +6,7 @@ mod figures;
 mod frequency;
 mod legend;
 mod phase;
-mod plot;
 mod studied;
-mod thin;
 mod time;
 
 use egui::{Rect, RichText, Ui};

@@ -1,16 +1,21 @@
 //! Phase portraits: one quantity over another, time only along the path.
 
 use egui::Ui;
-use egui_plot::PlotPoint;
 
 use super::legend::{self, Entry, Mark};
-use super::plot::{Curve, Picture, SmallPlot, Stroke};
 use super::studied::{Studied, units};
 use super::time::grid;
 use super::{Basis, Seen, kept, output_ui};
 use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::outputs::Output;
 use crate::scenario::link::Sight;
+use crate::ui::chart::{Curve, Pattern, Picture, PlotPoint, SmallPlot};
+
+/// Samples in a turn of the fastest mode: with fewer a portrait would look like a polygon, since it shows each turn large,
+/// however many there are.
+const SAMPLES_A_TURN: f64 = 128.0;
+/// No sample is divided into more than these.
+const MOST_PARTS: f64 = 16.0;
 
 /// Two portraits of each plane.
 #[derive(Debug)]
@@ -52,7 +57,7 @@ impl PhasePlots {
         let pictures = kept(&mut self.pictures, key, || pairs.map(|pair| portrait(seen, pair)));
         for picture in pictures.iter_mut() {
             let now = cursor.and_then(|time| {
-                let k = (time / studied.motion.response.dt).round() as usize;
+                let k = (time / studied.motion.response.dt).round() as usize * parts(studied);
                 picture.curves.first()?.drawn_part().get(k).copied()
             });
             picture.dots = vec![(PlotPoint::new(0.0, 0.0), palette.weak)];
@@ -77,20 +82,29 @@ fn portrait(seen: Seen<'_>, (over, of): (Output, Output)) -> Picture {
     let Seen { studied, ghost, palette, .. } = seen;
     let (across, across_unit, across_si) = units(over, studied.scenario);
     let (upward, upward_unit, upward_si) = units(of, studied.scenario);
-    let path = |studied: Studied<'_>, name, color, stroke| {
+    let path = |studied: Studied<'_>, name, color, pattern| {
+        let motion = &studied.motion.refined(parts(studied));
+        let studied = Studied { motion, ..studied };
         let values = studied.motion.values(over).into_iter().zip(studied.motion.values(of));
         let points = values.map(|(x, y)| PlotPoint::new(x / across_si, y / upward_si)).collect();
-        Curve::new(name, points, color, stroke).drawn_for(studied.small())
+        Curve::new(name, points, color, pattern).drawn_for(studied.small())
     };
-    let mut curves = vec![path(studied, "linear", palette.text, Stroke::Full)];
+    let mut curves = vec![path(studied, "linear", palette.text, Pattern::Full)];
     if let (Some(x), Some(y)) =
         (studied.flown(over, across_si, palette), studied.flown(of, upward_si, palette))
     {
         let points = x.points.iter().zip(&y.points).map(|(x, y)| PlotPoint::new(x.y, y.y)).collect();
-        curves.push(Curve::new(x.name, points, x.color, x.stroke));
+        curves.push(Curve::new(x.name, points, x.color, x.pattern));
     }
     if let Some(ghost) = ghost {
-        curves.push(path(ghost, "pinned", palette.ghost, Stroke::Dashed));
+        curves.push(path(ghost, "pinned", palette.ghost, Pattern::Dashed));
     }
     Picture { against: (across.symbol, across_unit), ..Picture::of_time(upward.symbol, upward_unit, curves) }
+}
+
+/// Into how many parts a sample is divided, so that the fastest mode is seen to turn.
+fn parts(studied: Studied<'_>) -> usize {
+    let fastest = studied.modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
+    let turns_a_sample = fastest * studied.motion.response.dt / std::f64::consts::TAU;
+    (SAMPLES_A_TURN * turns_a_sample).ceil().clamp(1.0, MOST_PARTS) as usize
 }

@@ -1,9 +1,7 @@
 //! A scenario with what follows from it, as curves in shown units.
 
 use egui::Color32;
-use egui_plot::PlotPoint;
 
-use super::plot::{Curve, Stroke};
 use crate::content::LengthUnit;
 use crate::flight::Channel;
 use crate::flight::aircraft::plane::Plane;
@@ -14,6 +12,7 @@ use crate::flight::motion::modal_sum::SplitError;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::six_dof::SixDofError;
 use crate::scenario::{Dimension, Quantity, Scenario};
+use crate::ui::chart::{Curve, Pattern, PlotPoint};
 use crate::ui::theme::Palette;
 use crate::words;
 
@@ -50,9 +49,9 @@ impl Studied<'_> {
     }
 
     /// An output as a curve of time.
-    pub fn curve(&self, output: Output, unit: f64, stroke: Stroke, color: Color32) -> Curve {
-        let name = if stroke == Stroke::Full { "linear" } else { "pinned" };
-        self.timed(name, self.motion.values(output), unit, stroke, color)
+    pub fn curve(&self, output: Output, unit: f64, pattern: Pattern, color: Color32) -> Curve {
+        let name = if pattern == Pattern::Full { "linear" } else { "pinned" };
+        self.timed(name, self.motion.values(output), unit, pattern, color)
     }
 
     /// An output of the nonlinear flight as a curve of time, where it is asked for and there is one.
@@ -61,7 +60,7 @@ impl Studied<'_> {
         let values = output.of_flight(&self.motion.model, flight).into_iter().enumerate();
         let points: Vec<PlotPoint> =
             values.map(|(k, value)| PlotPoint::new(k as f64 * flight.dt, value / unit)).collect();
-        Some(Curve::new("nonlinear", points, palette.nonlinear, Stroke::Dotted))
+        Some(Curve::new("nonlinear", points, palette.nonlinear, Pattern::Dotted))
     }
 
     /// Why there is no nonlinear flight, or where it ends.
@@ -83,12 +82,18 @@ impl Studied<'_> {
             .zip(sum.parts)
             .map(|(mode, part)| {
                 let name = mode.naming.name;
-                self.timed(words::mode::title(name), part, unit, Stroke::Part, palette.mode(name))
+                self.timed(words::mode::title(name), part, unit, Pattern::Filled, palette.mode(name))
             })
             .collect();
         // Rounding is no part.
         if largest(&sum.rest) > 1e-6 * whole {
-            curves.push(self.timed("no mode: input and drift", sum.rest, unit, Stroke::Part, palette.ghost));
+            curves.push(self.timed(
+                "no mode: input and drift",
+                sum.rest,
+                unit,
+                Pattern::Filled,
+                palette.ghost,
+            ));
         }
         Ok(curves)
     }
@@ -98,13 +103,13 @@ impl Studied<'_> {
         name: &'static str,
         values: Vec<f64>,
         unit: f64,
-        stroke: Stroke,
+        pattern: Pattern,
         color: Color32,
     ) -> Curve {
         let dt = self.motion.response.dt;
         let point = |(k, value): (usize, f64)| PlotPoint::new(k as f64 * dt, value / unit);
         let points = values.into_iter().enumerate().map(point).collect();
-        Curve::new(name, points, color, stroke).drawn_for(self.small())
+        Curve::new(name, points, color, pattern).drawn_for(self.small())
     }
 
     /// The inputs as they are, their edges upright, with the symbol of each and the dimension of all; none where nothing moves.
@@ -125,9 +130,9 @@ impl Studied<'_> {
             times.sort_by(f64::total_cmp);
             let points: Vec<PlotPoint> =
                 times.into_iter().map(|t| PlotPoint::new(t, input.at(t) / unit)).collect();
-            let (color, stroke) =
-                if i == 0 { (palette.text, Stroke::Full) } else { (palette.weak, Stroke::Dashed) };
-            curves.push(Curve::new(name, points, color, stroke));
+            let (color, pattern) =
+                if i == 0 { (palette.text, Pattern::Full) } else { (palette.weak, Pattern::Dashed) };
+            curves.push(Curve::new(name, points, color, pattern));
             symbols.push(symbol);
             shown.get_or_insert(dimension);
         }

@@ -5,7 +5,6 @@ use egui::style::StyleModifier;
 use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
 use super::legend::{self, Entry};
-use super::plot::{Picture, SmallPlot, Stroke};
 use super::studied::units;
 use super::{Basis, Seen, kept, note_ui, word};
 use crate::content::LengthUnit;
@@ -14,6 +13,7 @@ use crate::flight::motion::modal_sum::SplitError;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
 use crate::scenario::link::Sight;
+use crate::ui::chart::{Pattern, Picture, SmallPlot};
 use crate::ui::derivatives::Rows;
 
 /// Least height of a small plot \[points\].
@@ -55,7 +55,7 @@ impl Sheet {
         let duration = studied.duration().max(1e-3);
         for &output in chosen {
             let (quantity, symbol, unit) = units(output, studied.scenario);
-            let mut curves = vec![studied.curve(output, unit, Stroke::Full, palette.text)];
+            let mut curves = vec![studied.curve(output, unit, Pattern::Full, palette.text)];
             if split {
                 match studied.parts(output, unit, palette) {
                     Ok(parts) => curves.extend(parts),
@@ -65,7 +65,7 @@ impl Sheet {
             curves.extend(studied.flown(output, unit, palette));
             if let Some(ghost) = ghost {
                 // The pinned state is drawn in the units of the one on screen.
-                curves.push(ghost.curve(output, unit, Stroke::Dashed, palette.ghost));
+                curves.push(ghost.curve(output, unit, Pattern::Dashed, palette.ghost));
             }
             let beyond = studied.motion.small_until.map(|time| time..=duration);
             pictures.push(Picture { beyond, ..Picture::of_time(quantity.symbol, symbol, curves) });
@@ -78,9 +78,6 @@ impl Sheet {
         }
         for picture in &mut pictures {
             picture.x_range = Some(0.0..=duration);
-        }
-        if let Some(last) = pictures.last_mut() {
-            last.names_axis = true;
         }
         Self { pictures, entries, unsplit }
     }

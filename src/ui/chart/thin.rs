@@ -1,7 +1,8 @@
 //! A curve with the points left out that nobody would miss on screen: drawing costs by the point.
 
 use egui::Vec2;
-use egui_plot::PlotPoint;
+
+use super::PlotPoint;
 
 /// How far a curve may pass from a point that was left out [points on screen].
 const TOLERANCE: f32 = 0.15;
@@ -79,10 +80,9 @@ fn cross(a: Vec2, b: Vec2) -> f32 {
 #[cfg(test)]
 mod tests {
     use egui::{Pos2, Vec2};
-    use egui_plot::PlotPoint;
     use proptest::prelude::*;
 
-    use super::{TOLERANCE, thin};
+    use super::{PlotPoint, TOLERANCE, thin};
 
     const SCALE: Vec2 = Vec2::new(7.0, 90.0);
 
@@ -123,7 +123,7 @@ mod tests {
     fn a_straight_line_needs_two_and_an_edge_stays_upright() {
         let line: Vec<_> = (0..100).map(|k| PlotPoint::new(f64::from(k), 0.5)).collect();
         assert_eq!(thin(&line, SCALE), [line[0], line[99]]);
-        let edge = [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [5.0, 2.0]].map(PlotPoint::from);
+        let edge = [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [5.0, 2.0]].map(|[x, y]| PlotPoint::new(x, y));
         assert_eq!(thin(&edge, SCALE), edge);
         assert_eq!(thin(&edge[..1], SCALE), edge[..1]);
         assert_eq!(thin(&[], SCALE), []);

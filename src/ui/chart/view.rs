@@ -1,4 +1,4 @@
-//! A part of the plane of λ on a part of the screen.
+//! A part of the plane of the data on a part of the screen.
 
 use egui::{Pos2, Rect, Vec2};
 use nalgebra::Complex;
@@ -6,16 +6,44 @@ use nalgebra::Complex;
 /// Points of the screen beyond this are not told apart: far outside any screen, and squares of them are still numbers.
 const FAR: f64 = 1e7;
 
-/// The part of the plane on screen \[1/s\].
+/// A point of the plane of the data, in shown units: of λ the real and the imaginary part.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlotPoint {
+    /// Along the horizontal axis.
+    pub x: f64,
+    /// Along the vertical axis.
+    pub y: f64,
+}
+
+impl PlotPoint {
+    /// A point by its coordinates.
+    pub const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<Complex<f64>> for PlotPoint {
+    fn from(lambda: Complex<f64>) -> Self {
+        Self::new(lambda.re, lambda.im)
+    }
+}
+
+impl From<PlotPoint> for Complex<f64> {
+    fn from(point: PlotPoint) -> Self {
+        Self::new(point.x, point.y)
+    }
+}
+
+/// The part of the plane on screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Real part at the left edge.
+    /// Value at the left edge.
     pub left: f64,
-    /// Real part at the right edge.
+    /// Value at the right edge.
     pub right: f64,
-    /// Imaginary part at the bottom edge.
+    /// Value at the bottom edge.
     pub bottom: f64,
-    /// Imaginary part at the top edge.
+    /// Value at the top edge.
     pub top: f64,
 }
 
@@ -33,24 +61,19 @@ impl View {
     }
 
     /// `factor` times nearer, with what is at `about` staying where it is.
-    pub fn zoomed(self, factor: f64, about: Complex<f64>) -> Self {
+    pub fn zoomed(self, factor: f64, about: PlotPoint) -> Self {
         let toward = |x: f64, centre: f64| centre + (x - centre) / factor;
         Self {
-            left: toward(self.left, about.re),
-            right: toward(self.right, about.re),
-            bottom: toward(self.bottom, about.im),
-            top: toward(self.top, about.im),
+            left: toward(self.left, about.x),
+            right: toward(self.right, about.x),
+            bottom: toward(self.bottom, about.y),
+            top: toward(self.top, about.y),
         }
     }
 
-    /// What lies further by `by`.
-    pub fn moved(self, by: Complex<f64>) -> Self {
-        Self {
-            left: self.left + by.re,
-            right: self.right + by.re,
-            bottom: self.bottom + by.im,
-            top: self.top + by.im,
-        }
+    /// What lies further by `x` and `y`.
+    pub fn moved(self, PlotPoint { x, y }: PlotPoint) -> Self {
+        Self { left: self.left + x, right: self.right + x, bottom: self.bottom + y, top: self.top + y }
     }
 }
 
@@ -59,48 +82,62 @@ impl View {
 pub struct Chart {
     /// Where on the screen.
     pub rect: Rect,
-    /// What part of the plane, with one scale on both axes.
+    /// What part of the plane.
     pub view: View,
 }
 
 impl Chart {
-    /// Width of a point of the screen in the plane \[1/s\].
-    pub fn per_point(&self) -> f64 {
-        (self.view.right - self.view.left) / f64::from(self.rect.width().max(1.0))
+    /// Units of either axis that a point of the screen is wide and high.
+    fn units_per_point(&self) -> PlotPoint {
+        let View { left, right, bottom, top } = self.view;
+        let size = self.rect.size().max(Vec2::splat(1.0));
+        PlotPoint::new((right - left) / f64::from(size.x), (top - bottom) / f64::from(size.y))
     }
 
-    /// Where λ is on the screen.
-    pub fn position(&self, lambda: Complex<f64>) -> Pos2 {
-        let scale = 1.0 / self.per_point();
-        let x = ((lambda.re - self.view.left) * scale).clamp(-FAR, FAR) as f32;
-        let y = ((self.view.top - lambda.im) * scale).clamp(-FAR, FAR) as f32;
+    /// Units of the horizontal axis that a point of the screen is wide; of both axes, where they have one scale.
+    pub fn per_point(&self) -> f64 {
+        self.units_per_point().x
+    }
+
+    /// Points of the screen that a unit of either axis takes.
+    pub fn scale(&self) -> Vec2 {
+        let unit = self.units_per_point();
+        Vec2::new(1.0 / unit.x as f32, 1.0 / unit.y as f32)
+    }
+
+    /// Where a point of the plane is on the screen.
+    pub fn position(&self, at: impl Into<PlotPoint>) -> Pos2 {
+        let (at, unit) = (at.into(), self.units_per_point());
+        let x = ((at.x - self.view.left) / unit.x).clamp(-FAR, FAR) as f32;
+        let y = ((self.view.top - at.y) / unit.y).clamp(-FAR, FAR) as f32;
         self.rect.min + Vec2::new(x, y)
     }
 
-    /// Which λ is there on the screen.
-    pub fn at(&self, position: Pos2) -> Complex<f64> {
-        let from = position - self.rect.min;
-        Complex::new(self.view.left, self.view.top) + self.across(from)
+    /// Which point of the plane is there on the screen.
+    pub fn at(&self, position: Pos2) -> PlotPoint {
+        let from = self.across(position - self.rect.min);
+        PlotPoint::new(self.view.left + from.x, self.view.top + from.y)
     }
 
     /// How far it is in the plane from one end of a way on the screen to the other.
-    pub fn across(&self, way: Vec2) -> Complex<f64> {
-        Complex::new(f64::from(way.x), -f64::from(way.y)) * self.per_point()
+    pub fn across(&self, way: Vec2) -> PlotPoint {
+        let unit = self.units_per_point();
+        PlotPoint::new(f64::from(way.x) * unit.x, -f64::from(way.y) * unit.y)
     }
 
     /// What of the chart lies in `rect`.
     pub fn part(&self, rect: Rect) -> Self {
         let (min, max) = (self.at(rect.min), self.at(rect.max));
-        Self { rect, view: View { left: min.re, right: max.re, bottom: max.im, top: min.im } }
+        Self { rect, view: View { left: min.x, right: max.x, bottom: max.y, top: min.y } }
     }
 
-    /// The parts of a line that are on the map.
-    pub fn clipped(&self, line: impl IntoIterator<Item = Complex<f64>>) -> Vec<Vec<Pos2>> {
+    /// The parts of a line that are on the chart.
+    pub fn clipped<P: Into<PlotPoint>>(&self, line: impl IntoIterator<Item = P>) -> Vec<Vec<Pos2>> {
         let frame = self.rect.expand(3.0);
         let mut parts: Vec<Vec<Pos2>> = Vec::new();
         let mut before: Option<Pos2> = None;
-        for lambda in line {
-            let here = self.position(lambda);
+        for point in line {
+            let here = self.position(point);
             if let Some((from, to)) = before.and_then(|before| inside(frame, before, here)) {
                 match parts.last_mut().filter(|part| part.last() == Some(&from)) {
                     Some(part) => part.push(to),
@@ -150,7 +187,7 @@ mod tests {
     #[test]
     fn a_point_of_the_screen_and_of_the_plane_belong_to_each_other() {
         for lambda in [Complex::new(-3.0, 1.0), Complex::new(0.0, 0.0), Complex::new(0.7, -0.9)] {
-            assert!((CHART.at(CHART.position(lambda)) - lambda).norm() < 1e-6);
+            assert!((Complex::from(CHART.at(CHART.position(lambda))) - lambda).norm() < 1e-6);
         }
         assert_eq!(CHART.position(Complex::new(-3.0, 1.0)), CHART.rect.min);
         assert_eq!(CHART.position(Complex::new(1.0, -1.0)), CHART.rect.max);
@@ -160,7 +197,8 @@ mod tests {
     fn zooming_keeps_what_is_under_the_pointer() {
         let pointer = Pos2::new(57.0, 93.0);
         let zoomed = Chart { view: CHART.view.zoomed(3.0, CHART.at(pointer)), ..CHART };
-        assert!((zoomed.at(pointer) - CHART.at(pointer)).norm() < 1e-6);
+        let [now, before] = [zoomed, CHART].map(|chart| Complex::from(chart.at(pointer)));
+        assert!((now - before).norm() < 1e-6);
         assert!((3.0 * zoomed.per_point() - CHART.per_point()).abs() < 1e-12);
     }
 

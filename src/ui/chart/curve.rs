@@ -1,0 +1,72 @@
+//! A curve, and what of it is needed on screen.
+
+use egui::{Color32, Stroke, Vec2};
+
+use super::thin::thin;
+use super::{Chart, Pattern, PlotPoint, Primitive};
+
+/// How much of its colour the area between a curve and zero has.
+const FILL: f32 = 0.12;
+
+/// A curve in shown units.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// What it is, for the legend and screen readers.
+    pub name: &'static str,
+    /// Its points.
+    pub points: Vec<PlotPoint>,
+    /// How many of them, from the first, are drawn.
+    drawn: usize,
+    /// Its colour.
+    pub color: Color32,
+    /// How it is drawn.
+    pub pattern: Pattern,
+    /// What of it is needed on screen, at the scale at which it was shown last.
+    thinned: Option<(Vec2, Vec<PlotPoint>)>,
+}
+
+impl Curve {
+    /// A curve all of which is drawn.
+    pub fn new(name: &'static str, points: Vec<PlotPoint>, color: Color32, pattern: Pattern) -> Self {
+        Self { name, drawn: points.len(), points, color, pattern, thinned: None }
+    }
+
+    /// The same curve, of which only the first points are drawn.
+    pub fn drawn_for(self, count: usize) -> Self {
+        Self { drawn: count, ..self }
+    }
+
+    /// Its points as far as they are drawn.
+    pub fn drawn_part(&self) -> &[PlotPoint] {
+        &self.points[..self.points.len().min(self.drawn)]
+    }
+
+    /// Its value at a place between its points, linearly, and exact at them.
+    pub fn at(&self, x: f64) -> Option<f64> {
+        let points = self.drawn_part();
+        let i = points.partition_point(|point| point.x <= x);
+        let (a, b) = (points.get(i.checked_sub(1)?)?, points.get(i));
+        match b {
+            Some(b) => Some(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)),
+            // At its very end, though not beyond.
+            None => (x - a.x <= 1e-9 * a.x.abs()).then_some(a.y),
+        }
+    }
+
+    /// Adds what it is drawn with.
+    pub fn draw(&mut self, chart: &Chart, list: &mut Vec<Primitive>) {
+        let scale = chart.scale();
+        if self.thinned.as_ref().is_none_or(|(of, _)| *of != scale) {
+            self.thinned = Some((scale, thin(self.drawn_part(), scale)));
+        }
+        let points = self.thinned.as_ref().map_or(&[][..], |(_, points)| points);
+        if self.pattern == Pattern::Filled {
+            let line = points.iter().map(|point| chart.position(*point)).collect();
+            let base = chart.position(PlotPoint::default()).y;
+            list.push(Primitive::Area { line, base, color: self.color.gamma_multiply(FILL) });
+        }
+        let stroke = Stroke::new(self.pattern.width(), self.color);
+        let parts = chart.clipped(points.iter().copied()).into_iter();
+        list.extend(parts.map(|points| Primitive::Line { points, stroke, pattern: self.pattern }));
+    }
+}

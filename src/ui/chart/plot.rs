@@ -1,0 +1,323 @@
+//! One small plot: its title with the value at the cursor, its axes with round numbers, and its curves.
+
+use std::ops::RangeInclusive;
+
+use egui::{Align2, Color32, FontId, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
+
+use super::{AxisRange, Chart, Curve, Pattern, PlotPoint, Primitive, Room, Scale, Tick, View, paint};
+use crate::number::{round_up, significant};
+use crate::ui::finger;
+use crate::ui::symbol::Symbol;
+use crate::ui::theme::{self, Palette};
+
+const TITLE_HEIGHT: f32 = 20.0;
+/// Room for the numbers left of a plot and below it.
+const GUTTER: Vec2 = Vec2::new(36.0, 14.0);
+/// Room right of a plot for the last number.
+const MARGIN: f32 = 8.0;
+/// So far the first and the last number may reach beyond a plot: into the gutter, and into what parts it from the next.
+const OVERHANG: f32 = 14.0;
+/// Least distance of the numbers on either axis, and as a share of its length.
+const APART: Vec2 = Vec2::new(30.0, 24.0);
+const SHARE: Vec2 = Vec2::new(0.18, 0.14);
+/// Length of a sample of a line in a title or a legend.
+pub const SAMPLE: f32 = 18.0;
+/// Radius of a dot.
+pub const DOT: f32 = 3.5;
+
+/// What a small plot shows.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Symbol of the quantity.
+    pub symbol: String,
+    /// Unit of the quantity.
+    pub unit: String,
+    /// Symbol and unit of the horizontal axis.
+    pub against: (&'static str, &'static str),
+    /// The curves; the first is the one whose value the title tells.
+    pub curves: Vec<Curve>,
+    /// Where nothing is drawn any more, shaded.
+    pub beyond: Option<RangeInclusive<f64>>,
+    /// Upright lines with a colour: the cursor, frequencies of modes.
+    pub uprights: Vec<(f64, Color32)>,
+    /// Dots with a colour.
+    pub dots: Vec<(PlotPoint, Color32)>,
+    /// Range of the horizontal axis; of the curves where there is none.
+    pub x_range: Option<RangeInclusive<f64>>,
+    /// Range of the vertical axis, likewise.
+    pub y_range: Option<RangeInclusive<f64>>,
+    /// How both axes are divided.
+    pub scales: (Scale, Scale),
+    /// Whether the vertical axis holds zero.
+    pub with_zero: bool,
+    /// Symbols of the curves, where each is another quantity: the title then names them all.
+    pub quantities: Vec<&'static str>,
+}
+
+impl Picture {
+    /// Of functions of time.
+    pub fn of_time(symbol: impl Into<String>, unit: impl Into<String>, curves: Vec<Curve>) -> Self {
+        Self {
+            symbol: symbol.into(),
+            unit: unit.into(),
+            against: ("t", "s"),
+            curves,
+            beyond: None,
+            uprights: Vec::new(),
+            dots: Vec::new(),
+            x_range: None,
+            y_range: None,
+            scales: (Scale::Even, Scale::Even),
+            with_zero: true,
+            quantities: Vec::new(),
+        }
+    }
+
+    /// The ranges of both axes.
+    fn ranges(&mut self) -> (RangeInclusive<f64>, RangeInclusive<f64>) {
+        let x = self.x_range.take().unwrap_or_else(|| self.range(|point| point.x));
+        let y = self.y_range.take().unwrap_or_else(|| self.range(|point| point.y));
+        (self.x_range, self.y_range) = (Some(x.clone()), Some(y.clone()));
+        (x, y)
+    }
+
+    /// The range of all curves with a margin. What isn't drawn may leave it.
+    fn range(&self, coordinate: impl Fn(&PlotPoint) -> f64) -> RangeInclusive<f64> {
+        let all = self.curves.iter().flat_map(Curve::drawn_part).map(coordinate);
+        let start = if self.with_zero { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
+        // Comparisons, since `f64::min` is a call of a function in a browser.
+        let widened = |(low, high): (f64, f64), value: f64| {
+            (if value < low { value } else { low }, if value > high { value } else { high })
+        };
+        let (low, high) = all.fold(start, widened);
+        if high - low <= 1e-12 {
+            let middle = if low.is_finite() { low } else { 0.0 };
+            return middle - 1.0..=middle + 1.0;
+        }
+        // Ends are multiples of an eighth of a round number, so that they hold still through small changes.
+        let step = round_up(high - low) / 8.0;
+        ((low / step).floor() - 0.6) * step..=((high / step).ceil() + 0.6) * step
+    }
+
+    fn words(&self) -> String {
+        let symbol = Symbol::parse(&self.symbol).plain();
+        let points = self.curves.first().map_or(&[][..], Curve::drawn_part);
+        let extreme =
+            |pick: fn(f64, f64) -> f64| points.iter().map(|point| point.y).reduce(pick).unwrap_or(0.0);
+        let last = points.last().map_or(0.0, |point| point.y);
+        let others: Vec<&str> = self.curves.iter().skip(1).map(|curve| curve.name).collect();
+        let with = if others.is_empty() { String::new() } else { format!("; with {}", others.join(", ")) };
+        format!(
+            "{symbol} in {} against {}: between {} and {}, {} at the end{with}",
+            self.unit,
+            if self.against.0 == "t" { "time".to_owned() } else { Symbol::parse(self.against.0).plain() },
+            significant(extreme(f64::min), 3),
+            significant(extreme(f64::max), 3),
+            significant(last, 3),
+        )
+    }
+}
+
+/// A small plot with its ranges as they are on screen.
+#[derive(Debug, Default)]
+pub struct SmallPlot {
+    x: AxisRange,
+    y: AxisRange,
+}
+
+impl SmallPlot {
+    /// Draws the picture over `rect`, with the cursor at the horizontal place `cursor`; gives the place under the pointer.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        picture: &mut Picture,
+        cursor: Option<f64>,
+    ) -> Option<f64> {
+        let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| curve.at(x));
+        title(ui, rect, picture, value);
+        let (x, y) = picture.ranges();
+        let (x, y) = (self.x.toward(ui, x), self.y.toward(ui, y));
+        let frame = Rect::from_min_max(
+            rect.min + Vec2::new(GUTTER.x, TITLE_HEIGHT),
+            rect.max - Vec2::new(MARGIN, GUTTER.y),
+        );
+        let (left, right, bottom, top) = (*x.start(), *x.end(), *y.start(), *y.end());
+        let chart = Chart { rect: frame, view: View { left, right, bottom, top } };
+        let id = Id::unique((&picture.symbol, &picture.unit, picture.against.0));
+        // Not for the keyboard, which would find nothing to do there.
+        let response = ui.interact(frame, id, Sense::CLICK | Sense::DRAG);
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, picture.words()));
+        let painter = ui.painter_at(frame.expand(1.0));
+        let ticks = axes(ui, picture, &chart);
+        paint(&painter, draw(picture, &chart, &ticks, cursor, Palette::of(ui)));
+        theme::focus_ring(ui, &response);
+        let held = finger::works_on(ui, &response);
+        // A finger that has tapped is nowhere any more.
+        let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
+        let pointer = pointer.filter(|_| held)?;
+        Some(chart.at(pointer).x.clamp(left, right))
+    }
+}
+
+/// All within the frame, from the ground up.
+fn draw(
+    picture: &mut Picture,
+    chart: &Chart,
+    ticks: &[Vec<Tick>; 2],
+    cursor: Option<f64>,
+    palette: &Palette,
+) -> Vec<Primitive> {
+    let mut list = Vec::new();
+    let upright = |x: f64, color: Color32, pattern: Pattern| {
+        let x = chart.position(PlotPoint::new(x, 0.0)).x;
+        let ends = [chart.rect.bottom(), chart.rect.top()].map(|y| Pos2::new(x, y));
+        Primitive::line(ends, Stroke::new(1.0, color), pattern)
+    };
+    let level = |y: f64, color: Color32| {
+        let y = chart.position(PlotPoint::new(0.0, y)).y;
+        let ends = [chart.rect.left(), chart.rect.right()].map(|x| Pos2::new(x, y));
+        Primitive::line(ends, Stroke::new(1.0, color), Pattern::Full)
+    };
+    if let Some(beyond) = &picture.beyond {
+        let [from, to] = [beyond.start(), beyond.end()].map(|x| chart.position(PlotPoint::new(*x, 0.0)).x);
+        let rect = Rect::from_x_y_ranges(from..=to, chart.rect.y_range()).intersect(chart.rect);
+        list.push(Primitive::Rectangle(rect, palette.unstable_half));
+    }
+    let [horizontal, vertical] = ticks;
+    list.extend(vertical.iter().map(|tick| level(tick.value, palette.hairline)));
+    list.extend(horizontal.iter().map(|tick| upright(tick.value, palette.hairline, Pattern::Full)));
+    if picture.with_zero {
+        list.push(level(0.0, palette.ghost));
+    }
+    // The first is drawn last, on top.
+    picture.curves.iter_mut().rev().for_each(|curve| curve.draw(chart, &mut list));
+    list.extend(picture.uprights.iter().map(|&(x, color)| upright(x, color, Pattern::Dashed)));
+    list.extend(cursor.map(|x| upright(x, palette.weak, Pattern::Dotted)));
+    list.extend(picture.dots.iter().map(|&(at, color)| Primitive::Dot(chart.position(at), DOT, color)));
+    list
+}
+
+/// Writes the numbers of both axes outside the frame, a unit of time after the last; gives the ticks across and upward.
+fn axes(ui: &Ui, picture: &Picture, chart: &Chart) -> [Vec<Tick>; 2] {
+    let (View { left, right, bottom, top }, rect) = (chart.view, chart.rect);
+    let color = Palette::of(ui).weak;
+    let font = FontId::proportional(theme::sizes(ui).tick);
+    let painter = ui.painter();
+    let set = |text: &str| painter.layout_no_wrap(text.to_owned(), font.clone(), color);
+    let width = |text: &str| set(text).size().x;
+    let height = set("0").size().y;
+    let apart = APART.max(SHARE * rect.size());
+    let across = Room { length: rect.width(), apart: apart.x, extent: &width, overhang: OVERHANG };
+    // At the bottom none reaches down to those of the other axis.
+    let upward = Room { length: rect.height(), apart: apart.y, extent: &|_| height, overhang: 1.0 };
+    let ticks =
+        [picture.scales.0.ticks(&(left..=right), across), picture.scales.1.ticks(&(bottom..=top), upward)];
+    let mut end = rect.left();
+    for tick in &ticks[0] {
+        let galley = set(&tick.label);
+        let x = chart.position(PlotPoint::new(tick.value, 0.0)).x;
+        let place = Align2::CENTER_TOP.anchor_size(Pos2::new(x, rect.bottom() + 1.0), galley.size());
+        painter.galley(place.min, galley, color);
+        end = place.right();
+    }
+    if picture.against.0 == "t" {
+        painter.galley(Pos2::new(end, rect.bottom() + 1.0), set(&format!(" {}", picture.against.1)), color);
+    }
+    for tick in &ticks[1] {
+        let at = Pos2::new(rect.left() - 4.0, chart.position(PlotPoint::new(0.0, tick.value)).y);
+        painter.text(at, Align2::RIGHT_CENTER, &tick.label, font.clone(), color);
+    }
+    ticks
+}
+
+/// Draws a sample of a curve, as long as [`SAMPLE`] and with the middle of its left end here.
+pub fn sample(left: Pos2, pattern: Pattern, color: Color32) -> Primitive {
+    if pattern == Pattern::Filled {
+        let middle = left + Vec2::new(0.5 * SAMPLE, 0.0);
+        return Primitive::Rectangle(Rect::from_center_size(middle, Vec2::splat(9.0)), color);
+    }
+    let stroke = Stroke::new(pattern.width(), color);
+    Primitive::line([left, left + Vec2::new(SAMPLE, 0.0)], stroke, pattern)
+}
+
+/// Symbol and unit on the left; on the right the value at the cursor.
+fn title(ui: &Ui, rect: Rect, picture: &Picture, value: Option<f64>) {
+    let palette = Palette::of(ui);
+    if !picture.quantities.is_empty() {
+        quantities(ui, rect, picture);
+    } else {
+        quantity(ui, rect, picture);
+    }
+    // Of several quantities nobody could tell whose it is.
+    if let Some(value) = value.filter(|_| picture.quantities.len() < 2) {
+        let text = format!("{} {}", significant(value, 3), picture.unit);
+        let corner = rect.right_top() + Vec2::new(-4.0, 2.0);
+        ui.painter().text(
+            corner,
+            Align2::RIGHT_TOP,
+            text,
+            theme::semibold(theme::sizes(ui).small),
+            palette.text,
+        );
+    }
+}
+
+/// The title of a picture of one quantity.
+fn quantity(ui: &Ui, rect: Rect, picture: &Picture) {
+    let palette = Palette::of(ui);
+    let mut job = Symbol::parse(&picture.symbol).job(theme::sizes(ui).title_symbol, palette.text);
+    let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
+    job.append(&format!("  {}", picture.unit), 0.0, weak());
+    if picture.against.0 != "t" {
+        job.append(" against ", 0.0, weak());
+        Symbol::parse(picture.against.0).append_to(&mut job, theme::sizes(ui).inline_symbol, palette.text);
+        job.append(&format!(" {}", picture.against.1), 0.0, weak());
+    }
+    let galley = ui.painter().layout_job(job);
+    ui.painter().galley(rect.min + Vec2::new(2.0, 0.0), galley, palette.text);
+}
+
+/// The title of a picture of inputs: of each, as far as there is room, a sample of its curve, its symbol and its name.
+fn quantities(ui: &Ui, rect: Rect, picture: &Picture) {
+    let palette = Palette::of(ui);
+    let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
+    let several = picture.quantities.len() > 1;
+    let galleys = |with_symbol: bool, with_name: bool| -> Vec<_> {
+        let parts = picture.quantities.iter().zip(&picture.curves).enumerate();
+        let parts = parts.map(|(i, (symbol, curve))| {
+            let mut job = egui::text::LayoutJob::default();
+            if with_symbol {
+                Symbol::parse(symbol).append_to(&mut job, theme::sizes(ui).title_symbol, palette.text);
+            }
+            if with_name {
+                job.append(curve.name, if with_symbol { 5.0 } else { 0.0 }, weak());
+            }
+            if i + 1 == picture.quantities.len() {
+                job.append(&picture.unit, 8.0, weak());
+            }
+            ui.painter().layout_job(job)
+        });
+        parts.collect()
+    };
+    let before = if several { SAMPLE + 4.0 } else { 0.0 };
+    let wide = |galley: &egui::Galley| before + galley.size().x + 10.0;
+    // Room for the value of one; of several there is none.
+    let room = rect.width() - if several { 0.0 } else { 70.0 };
+    let fits = |shown: &Vec<std::sync::Arc<egui::Galley>>| {
+        shown.iter().map(|galley| wide(galley)).sum::<f32>() <= room
+    };
+    let choices: &[(bool, bool)] = if several { &[(true, true), (false, true)] } else { &[(true, true)] };
+    let shown = choices.iter().map(|&(symbol, name)| galleys(symbol, name)).find(fits);
+    let mut left_top = rect.min + Vec2::new(2.0, 0.0);
+    for (galley, curve) in shown.unwrap_or_else(|| galleys(true, false)).into_iter().zip(&picture.curves) {
+        if several {
+            let left = left_top + Vec2::new(0.0, 10.0);
+            paint(ui.painter(), vec![sample(left, curve.pattern, curve.color)]);
+        }
+        let width = wide(&galley);
+        let down = if several { 10.0 - 0.5 * galley.size().y } else { 0.0 };
+        ui.painter().galley(left_top + Vec2::new(before, down), galley, palette.text);
+        left_top.x += width;
+    }
+}
