@@ -1,8 +1,10 @@
 //! The sliders: one row a derivative, grouped by what it multiplies.
 
+use std::ops::RangeInclusive;
+
 use egui::{
-    Align, Button, Event, Id, Key, Layout, Modifiers, RichText, ScrollArea, Sense, Stroke, TextEdit,
-    TextWrapMode, Ui, UiBuilder, Vec2,
+    Align, Button, Event, Id, Key, Layout, Modifiers, Response, RichText, ScrollArea, Sense, Stroke,
+    TextEdit, TextWrapMode, Ui, UiBuilder, Vec2,
 };
 
 use super::number_field::number_field_ui;
@@ -20,6 +22,8 @@ use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
 const SYMBOL_WIDTH: f32 = 52.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
+/// Room for as many modes as there can be: a slider must not change its length where two roots meet.
+const BARS_WIDTH: f32 = 4.0 * influence::BAR_WIDTH;
 const COMPACT_FIELD: f32 = 44.0;
 /// Of a row for a mouse, and of the field in it: low, so that the knobs are in sight below the coefficients.
 const ROW_HEIGHT: f32 = 27.0;
@@ -209,6 +213,106 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
     });
 }
 
+/// A parameter as its row shows it, in shown units.
+struct Row {
+    parameter: &'static Parameter,
+    name: String,
+    value: f64,
+    /// The value in words.
+    shown: String,
+    reference: f64,
+    range: RangeInclusive<f64>,
+    /// What knobs and flight condition have made of the value.
+    in_effect: Option<f64>,
+    in_si: f64,
+    unit: &'static str,
+    unit_width: f32,
+    height: f32,
+}
+
+impl Row {
+    fn of(scenario: &Scenario, parameter: &'static Parameter, rows: Rows, outlook: Outlook<'_>) -> Self {
+        let length = scenario.aircraft.length_unit;
+        let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
+        let value = parameter.get(scenario) / in_si;
+        let range = parameter.range(scenario);
+        let in_effect = outlook.coefficients.and_then(|c| parameter.in_effect(scenario, c));
+        Self {
+            parameter,
+            name: format!("{} {}", parameter.name, Symbol::parse(parameter.symbol).plain()),
+            value,
+            shown: trimmed(value, 4),
+            reference: parameter.reference(scenario) / in_si,
+            range: range.start() / in_si..=range.end() / in_si,
+            in_effect: in_effect.map(|si| si / in_si),
+            in_si,
+            unit,
+            unit_width: if length == LengthUnit::Metre { 44.0 } else { 66.0 },
+            height: if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { ROW_HEIGHT },
+        }
+    }
+
+    /// The slider over all the room that the rest of the row leaves; gives the value that it is set to \[SI\].
+    fn slider_ui(&self, ui: &mut Ui, scenario: &Scenario) -> (Response, Option<f64>) {
+        let Self { unit, shown, .. } = self;
+        let rest = FIELD_WIDTH + self.unit_width + BARS_WIDTH + RESET_WIDTH + 6.0 * 4.0 + 8.0;
+        let slider = ReferenceSlider {
+            name: &self.name,
+            value_text: match self.in_effect {
+                Some(moved) => format!("{shown} {unit}, {} in effect", trimmed(moved, 4)),
+                None => format!("{shown} {unit}"),
+            },
+            value: self.value,
+            range: self.range.clone(),
+            reference: self.reference,
+            in_effect: self.in_effect,
+        };
+        let width = (ui.available_width() - rest).max(60.0);
+        let (mut response, moved) = slider.show(ui, Vec2::new(width, self.height));
+        if let Some(moved) = self.in_effect {
+            let moved = trimmed(moved, 4);
+            response = response
+                .on_hover_text(format!("{moved} with the knobs and the flight condition as they are"));
+        }
+        // The reference itself, to the last bit.
+        let in_si = |value| {
+            if value == self.reference { self.parameter.reference(scenario) } else { value * self.in_si }
+        };
+        (response, moved.map(in_si))
+    }
+
+    /// The unit in its column, with the value in use where that is another.
+    fn unit_ui(&self, ui: &mut Ui) {
+        let size = Vec2::new(self.unit_width, self.height);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(self.unit_width);
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+            let differs = |moved: &f64| trimmed(*moved, 3) != trimmed(self.value, 3);
+            unit_ui(ui, self.unit, self.in_effect.filter(differs));
+        });
+    }
+
+    /// How it moves each mode.
+    fn bars_ui(&self, ui: &mut Ui, outlook: Outlook<'_>) {
+        let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
+        if let Some(row) = outlook.sensitivities.iter().find(|row| row.key == self.parameter.key) {
+            influence::paint_bars(ui, row, outlook.modes, bars);
+            response.on_hover_text(influence::words(row, outlook.modes, (self.in_si, self.unit)));
+        }
+    }
+
+    /// The way back, where the value has been edited.
+    fn reset_ui(&self, ui: &mut Ui, scenario: &mut Scenario) {
+        if self.parameter.is_edited(scenario) {
+            let reset = theme::bare_button(ui, true, Button::new("↺"));
+            let reset = reset.accessible_name(format!("Reset {}", self.name));
+            if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
+                self.parameter.reset(scenario);
+            }
+        }
+    }
+}
+
 /// One row. Says whether the person is at it, with pointer or keyboard.
 fn row_ui(
     ui: &mut Ui,
@@ -219,101 +323,45 @@ fn row_ui(
     is_asked: bool,
 ) -> bool {
     let palette = Palette::of(ui);
-    let length = scenario.aircraft.length_unit;
-    let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-    let (value, reference) = (parameter.get(scenario) / in_si, parameter.reference(scenario) / in_si);
-    let range = parameter.range(scenario);
-    let in_effect = outlook.coefficients.and_then(|c| parameter.in_effect(scenario, c)).map(|si| si / in_si);
-    let symbol = Symbol::parse(parameter.symbol);
-    let name = format!("{} {}", parameter.name, symbol.plain());
-    let shown = trimmed(value, 4);
-    let mut new = None;
-    let mut refusal = None;
-    let mut at_it = false;
-
-    let height = if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { ROW_HEIGHT };
-    let row = ui.allocate_space(Vec2::new(ui.available_width(), height)).1;
-    ui.scope_builder(UiBuilder::new().max_rect(row).layout(Layout::left_to_right(Align::Center)), |ui| {
+    let row = Row::of(scenario, parameter, rows, outlook);
+    let place = ui.allocate_space(Vec2::new(ui.available_width(), row.height)).1;
+    let builder = UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center));
+    let drawn = ui.scope_builder(builder, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let hovered = ui.rect_contains_pointer(row);
+        let hovered = ui.rect_contains_pointer(place);
         if hovered {
-            ui.painter().rect_filled(row, 4.0, palette.field);
+            ui.painter().rect_filled(place, 4.0, palette.field);
         } else if rows == Rows::Dense {
             // A column of numbers reads better without boxes; a box shows under the mouse and with the focus.
             ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::NONE;
         }
         theme::make_low(ui, LOW_FIELD);
+        let symbol = Symbol::parse(parameter.symbol);
         symbol_ui(ui, &symbol, theme::sizes(ui).row_symbol, palette.text, Some(SYMBOL_WIDTH));
-        let unit_width = if length == LengthUnit::Metre { 44.0 } else { 66.0 };
-        // Room for as many as there can be: a slider must not change its length where two roots meet.
-        let bars_width = influence::BAR_WIDTH * 4.0;
-        let rest = FIELD_WIDTH + unit_width + bars_width + RESET_WIDTH + 6.0 * 4.0 + 8.0;
-        let slider = ReferenceSlider {
-            name: &name,
-            value_text: match in_effect {
-                Some(moved) => format!("{shown} {unit}, {} in effect", trimmed(moved, 4)),
-                None => format!("{shown} {unit}"),
-            },
-            value,
-            range: range.start() / in_si..=range.end() / in_si,
-            reference,
-            in_effect,
-        };
-        let width = (ui.available_width() - rest).max(60.0);
-        let (response, moved) = slider.show(ui, Vec2::new(width, height));
+        let (slider, moved) = row.slider_ui(ui, scenario);
         if is_asked {
-            response.request_focus();
-            response.scroll_to_me(Some(Align::Center));
+            slider.request_focus();
+            slider.scroll_to_me(Some(Align::Center));
         }
-        at_it |= hovered || response.has_focus();
-        if let Some(moved) = in_effect {
-            response.on_hover_text(format!(
-                "{} with the knobs and the flight condition as they are",
-                trimmed(moved, 4)
-            ));
-        }
-        new =
-            moved.map(|value| if value == reference { parameter.reference(scenario) } else { value * in_si });
-
         let field = number_field_ui(
             ui,
             ui.scope_id().with(("number", parameter.key)),
-            &format!("{name}, typed"),
-            &shown,
+            &format!("{}, typed", row.name),
+            &row.shown,
             FIELD_WIDTH,
             |text| parameter.parse(scenario, text),
         );
-        at_it |= field.response.has_focus();
-        new = field.accepted.or(new);
-        refusal = field.refusal;
-        ui.allocate_ui_with_layout(
-            Vec2::new(unit_width, height),
-            Layout::left_to_right(Align::Center),
-            |ui| {
-                ui.set_min_width(unit_width);
-                ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                unit_ui(ui, unit, in_effect.filter(|moved| trimmed(*moved, 3) != trimmed(value, 3)));
-            },
-        );
-        let (bars, response) = ui.allocate_exact_size(Vec2::new(bars_width, height), Sense::hover());
-        if let Some(row) = outlook.sensitivities.iter().find(|row| row.key == parameter.key) {
-            influence::paint_bars(ui, row, outlook.modes, bars);
-            response.on_hover_text(influence::words(row, outlook.modes, (in_si, unit)));
-        }
-        if parameter.is_edited(scenario) {
-            let reset =
-                theme::bare_button(ui, true, Button::new("↺")).accessible_name(format!("Reset {name}"));
-            if reset.on_hover_text("Back to the reference (Delete, or double-click the slider)").clicked() {
-                parameter.reset(scenario);
-            }
-        }
+        row.unit_ui(ui);
+        row.bars_ui(ui, outlook);
+        row.reset_ui(ui, scenario);
+        let at_it = hovered || slider.has_focus() || field.response.has_focus();
+        (field.accepted.or(moved), field.refusal, at_it)
     });
+    let (new, refusal, at_it) = drawn.inner;
     if let Some(refusal) = refusal {
         refusal.show(ui);
     }
-    if let Some(value) = new
-        && let Ok(value) = parameter.check(scenario, value)
-    {
+    if let Some(value) = new.and_then(|value| parameter.check(scenario, value).ok()) {
         if value == parameter.reference(scenario) {
             parameter.reset(scenario);
         } else {

@@ -12,6 +12,7 @@ mod fonts;
 mod influence;
 mod kept;
 mod keys;
+mod labels;
 mod memo;
 mod mode_cards;
 mod number_field;

@@ -1,9 +1,12 @@
 //! The shape of a mode as phasors: how large each quantity is beside the others, and how far ahead or behind it swings.
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
-use egui::{Align2, Color32, Pos2, Rect, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo};
+use egui::{Align2, Color32, Galley, Pos2, Rect, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo};
 use nalgebra::Complex;
 
+use super::labels::{Place, Placement, Wanted, draw_leader};
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
@@ -14,8 +17,8 @@ use crate::words;
 /// Room for the arrows and their symbols.
 const SIZE: Vec2 = Vec2::new(118.0, 108.0);
 const RADIUS: f32 = 30.0;
-/// Between the tip of an arrow and its symbol.
-const GAP: f32 = 4.0;
+/// What a leader costs beside its length: rather than that a symbol stands far aside.
+const LEADER: f32 = 30.0;
 /// Shorter arrows are told in numbers only.
 const SHOWN: f64 = 0.1;
 
@@ -111,17 +114,23 @@ fn draw(ui: &Ui, rect: Rect, phasors: &[Phasor], color: Color32) {
         .filter(|phasor| phasor.value.norm() >= SHOWN)
         .map(|phasor| (phasor, Vec2::new(phasor.value.re as f32, -phasor.value.im as f32)))
         .collect();
-    let mut taken: Vec<Rect> = Vec::new();
-    for (_, direction) in &directions {
-        painter.arrow(center, *direction * RADIUS, Stroke::new(2.0, color));
-        taken.extend(along(center, *direction));
-    }
-    for (phasor, direction) in directions {
-        let galley =
-            painter.layout_job(Symbol::parse(phasor.symbol).job(theme::sizes(ui).small_symbol, palette.text));
-        let place = label_place(rect, direction, galley.size(), &taken);
-        taken.push(place);
-        painter.galley(place.min, galley, palette.text);
+    let size = theme::sizes(ui).small_symbol;
+    let labels: Vec<(Vec2, Arc<Galley>)> = directions
+        .into_iter()
+        .map(|(phasor, direction)| {
+            painter.arrow(center, direction * RADIUS, Stroke::new(2.0, color));
+            let job = Symbol::parse(phasor.symbol).job(size, palette.text);
+            (direction, painter.layout_job(job))
+        })
+        .collect();
+    let wanted: Vec<(Vec2, Vec2)> =
+        labels.iter().map(|(direction, galley)| (*direction, galley.size())).collect();
+    for ((_, galley), place) in labels.into_iter().zip(label_places(rect, &wanted)) {
+        let Some(place) = place else { continue };
+        if let Some(leader) = place.leader {
+            draw_leader(painter, leader, palette);
+        }
+        painter.galley(place.rect.min, galley, palette.text);
     }
     if phasors.iter().all(|phasor| phasor.value.norm() < SHOWN) {
         painter.text(center, Align2::CENTER_CENTER, "–", theme::small(), palette.weak);
@@ -139,27 +148,25 @@ fn along(center: Pos2, direction: Vec2) -> impl Iterator<Item = Rect> {
     })
 }
 
-/// Inside `room`, beyond the tip, further round or out where another symbol or an arrow already is.
-fn label_place(room: Rect, direction: Vec2, size: Vec2, taken: &[Rect]) -> Rect {
-    let at = |turn: f32, further: f32| {
-        let toward = egui::emath::Rot2::from_angle(turn) * direction.normalized();
-        let beyond = 0.5 * (size.x * toward.x.abs() + size.y * toward.y.abs()) + GAP + further;
-        let middle = room.center() + direction * RADIUS + toward * beyond;
-        let inner = room.shrink2(0.5 * size);
-        Rect::from_center_size(middle.clamp(inner.min, inner.max), size)
+/// Places for symbols of given sizes inside `room`, each beyond the tip of its arrow or further round.
+fn label_places(room: Rect, arrows: &[(Vec2, Vec2)]) -> Vec<Option<Place>> {
+    let mut placement = Placement::new(room);
+    for (direction, _) in arrows {
+        along(room.center(), *direction).for_each(|piece| placement.keep_clear(piece));
+    }
+    let place = |&(direction, size): &(Vec2, Vec2)| {
+        let wanted = Wanted {
+            own: vec![room.center() + direction * RADIUS],
+            others: Vec::new(),
+            half: Rect::EVERYTHING,
+            sizes: vec![size],
+            first: 0,
+            towards: Some(direction.normalized()),
+            leader: LEADER,
+        };
+        placement.label(&wanted, None, true).map(|(place, _)| place)
     };
-    let turns = [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.2, -2.2];
-    let tries = [0.0, 7.0, 14.0, 24.0].into_iter().flat_map(|further| turns.map(|turn| (turn, further)));
-    let overlap = |place: &Rect| -> f32 {
-        taken
-            .iter()
-            .map(|other| place.intersect(*other))
-            .filter(|common| common.is_positive())
-            .map(|c| c.area())
-            .sum()
-    };
-    let places = tries.map(|(turn, further)| at(turn, further));
-    places.min_by(|a, b| overlap(a).total_cmp(&overlap(b))).unwrap_or_else(|| at(0.0, 0.0))
+    arrows.iter().map(place).collect()
 }
 
 #[cfg(test)]
@@ -176,13 +183,15 @@ mod tests {
                 |k: usize| (step as f32 + [0.0, 3.0, 94.0, 187.0][k] * (1 + step % 2) as f32).to_radians();
             let arrows: Vec<Vec2> =
                 (0..4).map(|k| [1.0, 0.96, 0.52, 0.13][k] * Vec2::angled(angle(k))).collect();
-            let mut taken: Vec<Rect> = arrows.iter().flat_map(|to| along(room.center(), *to)).collect();
-            for to in arrows {
-                let place = label_place(room, to, size, &taken);
-                assert!(room.expand(0.01).contains_rect(place), "{step}°: {place}");
-                let other = taken.iter().find(|other| other.shrink(0.01).intersects(place));
-                assert_eq!(other, None, "{step}°: {place}");
-                taken.push(place);
+            let pieces: Vec<Rect> = arrows.iter().flat_map(|to| along(room.center(), *to)).collect();
+            let wanted: Vec<(Vec2, Vec2)> = arrows.into_iter().map(|to| (to, size)).collect();
+            let places: Vec<Rect> =
+                label_places(room, &wanted).into_iter().flatten().map(|place| place.rect).collect();
+            assert_eq!(places.len(), 4, "{step}°");
+            for (i, place) in places.iter().enumerate() {
+                assert!(room.contains_rect(*place), "{step}°: {place}");
+                let others = pieces.iter().chain(&places[i + 1..]);
+                assert_eq!(others.copied().find(|other| other.intersects(*place)), None, "{step}°: {place}");
             }
         }
     }

@@ -7,10 +7,10 @@ use egui::{Color32, Mesh, Rect, Ui};
 use nalgebra::Rotation3;
 
 use super::camera::Lens;
-use super::labels::Silhouette;
 use super::picture::Picture;
 use crate::shape::{Deflections, Face, Finish, Material, Model, Point};
 use crate::ui::kept::kept;
+use crate::ui::labels::Silhouette;
 use crate::ui::theme::Palette;
 
 // Parts of full light: from all around, from the sky above, from the sun.
@@ -41,7 +41,7 @@ pub(super) struct Airframe {
     /// Triangles, in the order to draw them.
     pub mesh: Arc<Mesh>,
     /// What of the pane they cover.
-    pub silhouette: Silhouette,
+    pub silhouette: Arc<Silhouette>,
 }
 
 /// The aircraft over a pane; that of the frame before where the picture is the same.
@@ -67,7 +67,7 @@ pub(super) fn kept_airframe(
     let pose = (picture.deflections, picture.propeller_angle);
     kept(ui, "airframe", key, || {
         let mesh = mesh(picture.model, picture.finish, pose, rotation, lens, palette);
-        Airframe { silhouette: Silhouette::of(&mesh, pane), mesh: Arc::new(mesh) }
+        Airframe { silhouette: Arc::new(Silhouette::of(&mesh, pane)), mesh: Arc::new(mesh) }
     })
 }
 

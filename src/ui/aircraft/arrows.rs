@@ -9,6 +9,8 @@ use crate::shape::Point;
 
 const HEAD: f32 = 9.0;
 const POINTS_PER_TURN: f32 = 72.0;
+/// Of its points, every so many tell a label where an arc is.
+const COARSE: usize = 5;
 
 /// An arrow's ink.
 #[derive(Clone, Copy, Debug)]
@@ -20,11 +22,12 @@ pub(super) struct Pen {
     pub is_dashed: bool,
 }
 
-/// The end of an arrow on the screen, and the direction that it has there.
-#[derive(Clone, Copy, Debug)]
+/// The end of an arrow on the screen, the direction that it has there, and how it goes there, roughly.
+#[derive(Clone, Debug)]
 pub(super) struct Tip {
     pub at: Pos2,
     pub towards: Vec2,
+    pub line: Vec<Pos2>,
 }
 
 /// A straight arrow; `None` where nothing of it is drawn.
@@ -75,7 +78,10 @@ fn line(painter: &Painter, pen: Pen, points: &[Pos2]) -> Option<Tip> {
     let wing = towards.rot90() * (0.42 * head + 0.4 * pen.width);
     let corners = vec![end, neck + wing, neck - wing];
     painter.add(Shape::convex_polygon(corners, pen.color, Stroke::new(1.0, pen.halo)));
-    Some(Tip { at: end, towards })
+    // Eight parts of half a turn are an arc to a label.
+    let mut line: Vec<Pos2> = points.iter().copied().step_by(COARSE).collect();
+    line.push(neck);
+    Some(Tip { at: end, towards, line })
 }
 
 fn strokes(painter: &Painter, pen: Pen, points: &[Pos2]) {

@@ -84,8 +84,8 @@ impl Easel<'_> {
     }
 
     fn name(&mut self, tip: Option<Tip>, symbol: &str, words: Words, color: Color32) {
-        if let Some(Tip { at, towards }) = tip {
-            self.labels.add(symbol, words, color, at, towards);
+        if let Some(tip) = tip {
+            self.labels.add(symbol, words, color, tip);
         }
     }
 

@@ -4,10 +4,10 @@ use egui::{FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use nalgebra::Complex;
 
 use super::grid;
-use super::labels::Placement;
 use crate::flight::verdicts::handling_qualities::Level;
 use crate::flight::verdicts::level_boundaries::{Boundary, Line};
 use crate::ui::chart::{Chart, spaced};
+use crate::ui::labels::Placement;
 use crate::ui::theme::{self, Palette};
 use crate::words;
 

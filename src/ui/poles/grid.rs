@@ -5,10 +5,10 @@ use std::sync::Arc;
 use egui::{Align2, Color32, FontId, Galley, Mesh, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 use nalgebra::Complex;
 
-use super::labels::Placement;
 use crate::number::{nice_step, trimmed};
 use crate::ui::chart::{Chart, Room, Scale, Tick, View};
 use crate::ui::kept::kept;
+use crate::ui::labels::Placement;
 use crate::ui::theme::{self, Palette};
 
 /// Damping ratios of the rays.

@@ -6,7 +6,6 @@ use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, StrokeK
 use nalgebra::Complex;
 
 use super::drag::{Held, Outcome};
-use super::labels::{Kept, Place, Placement, Wanted};
 use super::trail::Trail;
 use super::{NARROW, NARROWEST, Seen, boundaries, grid, marks};
 use crate::flight::modes::mode::Mode;
@@ -15,11 +14,15 @@ use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{fixed, round_up, significant};
 use crate::ui::chart::{Chart, View};
+use crate::ui::labels::{Kept, Place, Placement, Wanted, draw_leader};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
 /// Room above a map for its name and its buttons.
 pub const CAPTION: f32 = 18.0;
+
+/// What a leader costs beside its length: more than all else, so that a label stands beside its pole wherever it can.
+const LEADER: f32 = 10_000.0;
 
 /// Space that a mark keeps clear of labels.
 const MARK: f32 = 14.0;
@@ -148,8 +151,8 @@ impl Map<'_> {
         boundaries::keep_clear(&mut placement, &levels);
         marks::shun(&mut placement, &paths);
         stood.rests = !ui.input(|input| input.pointer.any_down());
-        for label in self.labels(&painter, palette, chart, &mut placement, extras.inset, stood) {
-            label.draw(&painter, palette.mode(self.modes[label.mode].naming.name));
+        for (_, label) in self.labels(&painter, palette, chart, &mut placement, extras.inset, stood) {
+            label.draw(&painter, palette);
         }
         boundaries::labels(&painter, palette, &mut placement, &levels);
         grid::labels(&painter, chart, palette, &mut placement, written);
@@ -170,7 +173,7 @@ impl Map<'_> {
         placement
     }
 
-    /// The labels of its modes at their places: with numbers if all have room then, else names alone.
+    /// The labels of its modes, by their indices, at their places: with numbers if all have room then, else names alone.
     fn labels(
         &self,
         painter: &Painter,
@@ -179,7 +182,7 @@ impl Map<'_> {
         placement: &mut Placement,
         inset: Option<View>,
         stood: &mut Stood,
-    ) -> Vec<Label> {
+    ) -> Vec<(usize, Label)> {
         let on_map: Vec<(usize, Vec<Lines>, Wanted)> = (0..self.modes.len())
             .filter_map(|index| {
                 let mode = &self.modes[index];
@@ -189,8 +192,15 @@ impl Map<'_> {
                 let texts = texts(painter, palette, mode);
                 let sizes = texts.iter().map(|lines| extent(lines)).collect();
                 let brief = inset.is_some_and(|inset| crowded(mode, chart.view, inset));
-                let wanted =
-                    Wanted { own, others, half: half(chart, mode), sizes, first: usize::from(brief) };
+                let wanted = Wanted {
+                    own,
+                    others,
+                    half: half(chart, mode),
+                    sizes,
+                    first: usize::from(brief),
+                    towards: None,
+                    leader: LEADER,
+                };
                 (!wanted.own.is_empty()).then_some((index, texts, wanted))
             })
             .collect();
@@ -214,7 +224,7 @@ impl Map<'_> {
         for ((index, mut texts, _), found) in on_map.into_iter().zip(found) {
             if let Some((place, kept)) = found {
                 kept_now.push((name(index), kept));
-                labels.push(Label { mode: index, lines: texts.swap_remove(place.size), place });
+                labels.push((index, Label { lines: texts.swap_remove(place.size), place }));
             }
         }
         stood.kept = kept_now;
@@ -278,7 +288,6 @@ pub struct Stood {
 /// The label of a mode at its place.
 #[derive(Debug)]
 struct Label {
-    mode: usize,
     lines: Lines,
     place: Place,
 }
@@ -292,14 +301,14 @@ fn extent(lines: &[Arc<Galley>]) -> Vec2 {
 }
 
 impl Label {
-    /// Draws it, with its leader in `color`.
-    fn draw(&self, painter: &Painter, color: Color32) {
+    /// Draws it, with its leader.
+    fn draw(&self, painter: &Painter, palette: &Palette) {
         if let Some(leader) = self.place.leader {
-            painter.line_segment(leader, Stroke::new(1.0, color));
+            draw_leader(painter, leader, palette);
         }
         let mut at = self.place.rect.min;
         for line in &self.lines {
-            painter.galley(at, line.clone(), color);
+            painter.galley(at, line.clone(), Color32::PLACEHOLDER);
             at.y += line.size().y;
         }
     }
@@ -377,7 +386,7 @@ mod tests {
     ];
 
     /// The labels of both maps are given to `check`, with the map and whether it is the one where the modes are at home.
-    fn each_map(scenario: &Scenario, check: impl Fn(&Map<'_>, &Chart, &[Label])) {
+    fn each_map(scenario: &Scenario, check: impl Fn(&Map<'_>, &Chart, &[(usize, Label)])) {
         let analysis = scenario.analyse();
         let Some(plane) = analysis.ok().and_then(|analysis| analysis.planes[scenario.plane].clone()?.ok())
         else {
@@ -448,29 +457,29 @@ mod tests {
         let (with, without) = (Cell::new(0), Cell::new(0));
         for scenario in scenarios() {
             each_map(&scenario, |map, chart, labels| {
-                for label in labels {
-                    let name = words::mode::title(map.modes[label.mode].naming.name);
+                for (mode, label) in labels {
+                    let name = words::mode::title(map.modes[*mode].naming.name);
                     let nearest = |index: usize| {
                         let poles = map.poles_on(chart, index).into_iter();
                         poles.map(|pole| label.place.rect.distance_to_pos(pole)).fold(f32::INFINITY, f32::min)
                     };
-                    let others = (0..map.modes.len()).filter(|i| *i != label.mode).map(nearest);
+                    let others = (0..map.modes.len()).filter(|i| i != mode).map(nearest);
                     let other = others.fold(f32::INFINITY, f32::min);
                     let told = format!("{} {:?} {name}", scenario.aircraft.key, scenario.plane);
                     match label.place.leader {
                         None => {
                             without.set(without.get() + 1);
-                            let own = nearest(label.mode);
+                            let own = nearest(*mode);
                             assert!(
                                 own < 20.0 && own < other,
                                 "{told}: {own} from its own, {other} from another"
                             );
-                            let half = half(chart, &map.modes[label.mode]);
+                            let half = half(chart, &map.modes[*mode]);
                             assert!(half.contains_rect(label.place.rect), "{told}: in the other half");
                         }
                         Some([from, to]) => {
                             with.set(with.get() + 1);
-                            let own = map.poles_on(chart, label.mode);
+                            let own = map.poles_on(chart, *mode);
                             let end = own.iter().map(|pole| pole.distance(to)).fold(f32::INFINITY, f32::min);
                             assert!(end < 9.0, "{told}: the leader ends {end} from its pole");
                             assert!(label.place.rect.expand(0.1).contains(from), "{told}");
@@ -488,7 +497,7 @@ mod tests {
             each_map(&scenario, |map, chart, labels| {
                 for &index in &map.home {
                     let on_map = !map.poles_on(chart, index).is_empty();
-                    let named = labels.iter().any(|label| label.mode == index);
+                    let named = labels.iter().any(|(mode, _)| *mode == index);
                     let name = words::mode::title(map.modes[index].naming.name);
                     let told = format!("{} {:?} {name} {}", scenario.aircraft.key, scenario.plane, map.rect);
                     assert!(named || !on_map, "{told}");

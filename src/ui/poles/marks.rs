@@ -3,12 +3,12 @@
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use nalgebra::Complex;
 
-use super::labels::Placement;
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::ui::chart::{Chart, spaced};
+use crate::ui::labels::Placement;
 use crate::ui::theme::Palette;
 
 /// Half the size of the cross of a pole.

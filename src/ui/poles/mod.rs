@@ -6,7 +6,6 @@
 //! | `grid` | half planes, rays, arcs |
 //! | `map` | one map and its labels |
 //! | `marks`, `trail`, `boundaries` | what is drawn on it |
-//! | `labels` | places for labels that never collide |
 //! | `near` | what the pointer is near, and its card |
 //! | `drag` | a pole under the hand |
 //! | `choices` | what a person has asked for |
@@ -18,7 +17,6 @@ mod boundaries;
 mod choices;
 mod drag;
 mod grid;
-mod labels;
 mod map;
 mod marks;
 mod near;

@@ -1,21 +1,44 @@
-//! Labels beside points, placed so that none lies on another and none is taken for that of another point.
+//! Labels beside points: each near what it names and told from the others, none on another or on a mark, and none that jumps
+//! from frame to frame.
+//!
+//! Places are tried around the point, and the one of least [cost](Placement::cost) is taken; where nothing is free there is no
+//! label. A label keeps its place until another is better by [`STEADY`].
+
+mod silhouette;
 
 use std::f32::consts::TAU;
+use std::sync::Arc;
 
-use egui::{Pos2, Rect, Vec2};
+use egui::{Painter, Pos2, Rect, Stroke, Vec2};
+
+use super::theme::Palette;
+
+pub use silhouette::Silhouette;
 
 /// From a point to the label beside it.
 const GAP: f32 = 10.0;
+/// A label that is farther from its point has a leader to it.
+const BESIDE: f32 = 2.0 * GAP;
 /// A leader ends so far from its point: at the edge of its mark.
 const MARK_RADIUS: f32 = 8.0;
 /// Two points that are nearer than this are one to the eye: a leader to the one may touch the other.
-const MERGED: f32 = 10.0;
-/// A leader in the other half of the map is taken if it is shorter by this.
-const OTHER_HALF: f32 = 80.0;
-/// A leader is exchanged for one that is shorter by this.
-const SHORTER: f32 = 40.0;
+pub const MERGED: f32 = 10.0;
 
-/// Rectangles that are taken, inside a frame.
+// Costs, in points of the screen: a leader costs its length.
+/// A label that says less than another could.
+const LESS: f32 = 500.0;
+/// A leader in the other half of the map.
+const OTHER_HALF: f32 = 80.0;
+/// On something that is better left free.
+const SHUNNED: f32 = 40.0;
+/// On an arrow, or a leader across it.
+const ON_ARROW: f32 = 60.0;
+/// A turn of one radian from where a label belongs.
+const ASIDE: f32 = 15.0;
+/// A place is left for one that is better by this.
+const STEADY: f32 = 39.0;
+
+/// Places that are taken, inside a frame.
 #[derive(Clone, Debug)]
 pub struct Placement {
     frame: Rect,
@@ -24,6 +47,8 @@ pub struct Placement {
     leaders: Vec<[Pos2; 2]>,
     /// Better left free, but a label may lie there rather than nowhere.
     shunned: Vec<Rect>,
+    silhouette: Option<Arc<Silhouette>>,
+    arrows: Vec<[Pos2; 2]>,
 }
 
 /// What a label is wanted for.
@@ -39,6 +64,10 @@ pub struct Wanted {
     pub sizes: Vec<Vec2>,
     /// The first of them that it may have.
     pub first: usize,
+    /// On which side of its point it belongs, where that is one: a direction of length 1.
+    pub towards: Option<Vec2>,
+    /// What a leader costs beside its length.
+    pub leader: f32,
 }
 
 /// Where a label stands.
@@ -54,12 +83,6 @@ pub struct Place {
     point: usize,
 }
 
-impl Place {
-    fn length(&self) -> f32 {
-        self.leader.map_or(0.0, |[from, to]| from.distance(to))
-    }
-}
-
 /// Where a label stood: it stays there as long as it can, so that nothing jumps while a slider moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept {
@@ -71,7 +94,15 @@ pub struct Kept {
 impl Placement {
     /// Nothing placed yet inside `frame`.
     pub fn new(frame: Rect) -> Self {
-        Self { frame, taken: Vec::new(), labels: Vec::new(), leaders: Vec::new(), shunned: Vec::new() }
+        Self {
+            frame,
+            taken: Vec::new(),
+            labels: Vec::new(),
+            leaders: Vec::new(),
+            shunned: Vec::new(),
+            silhouette: None,
+            arrows: Vec::new(),
+        }
     }
 
     /// Keeps labels off a place.
@@ -84,9 +115,20 @@ impl Placement {
         self.shunned.push(rect);
     }
 
+    /// Keeps labels off a shape while there is room elsewhere.
+    pub fn shun_silhouette(&mut self, silhouette: Arc<Silhouette>) {
+        self.silhouette = Some(silhouette);
+    }
+
+    /// Keeps labels and leaders off a line while there is room elsewhere.
+    pub fn shun_arrow(&mut self, line: &[Pos2]) {
+        self.arrows.extend(line.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+
     /// Whether it is better left free.
     fn is_shunned(&self, place: Rect) -> bool {
         self.shunned.iter().any(|shunned| shunned.intersects(place))
+            || self.silhouette.as_ref().is_some_and(|silhouette| silhouette.is_under(place))
     }
 
     /// Whether a place is inside the frame and nothing lies on it.
@@ -106,20 +148,23 @@ impl Placement {
         free
     }
 
+    /// Takes the first free place that is not shunned, else the first free one.
+    pub fn take_first(&mut self, places: impl Iterator<Item = Rect>) -> Option<Rect> {
+        let mut free = places.filter(|place| self.is_free(*place)).peekable();
+        let first = *free.peek()?;
+        let place = free.find(|place| !self.is_shunned(*place)).unwrap_or(first);
+        self.labels.push(place.expand(2.0));
+        Some(place)
+    }
+
     /// Finds a place for a label and takes it; `None` where there is no room. What was `kept` is kept while it is possible;
     /// where the map `rests`, it gives way to what is better.
     pub fn label(&mut self, wanted: &Wanted, kept: Option<Kept>, rests: bool) -> Option<(Place, Kept)> {
         let kept = kept.and_then(|kept| self.again(wanted, kept));
         let place = match kept {
             Some(kept) if !rests => kept,
-            Some(kept) => {
-                let better = |new: &Place| {
-                    let (new_rank, rank) = (self.rank(new), self.rank(&kept));
-                    new_rank < rank || new_rank == rank && new.length() + SHORTER < kept.length()
-                };
-                self.best(wanted).filter(better).unwrap_or(kept)
-            }
-            None => self.best(wanted)?,
+            Some(kept) => self.best(wanted, self.cost(wanted, &kept) - STEADY).unwrap_or(kept),
+            None => self.best(wanted, f32::INFINITY)?,
         };
         self.labels.push(place.rect.expand(2.0));
         self.leaders.extend(place.leader);
@@ -127,9 +172,18 @@ impl Placement {
         Some((place, Kept { offset, place }))
     }
 
-    /// Beside its point, with all its words and on nothing that is better left free is best.
-    fn rank(&self, place: &Place) -> (bool, usize, bool) {
-        (place.leader.is_some(), place.size, self.is_shunned(place.rect))
+    /// What a place costs: with all its words, beside its point, on the side where it belongs and on nothing that is better
+    /// left free, nothing.
+    fn cost(&self, wanted: &Wanted, place: &Place) -> f32 {
+        let led = place.leader.map_or(0.0, |leader| {
+            let across = self.arrows.iter().filter(|arrow| cross(**arrow, leader)).count() as f32;
+            let away = if wanted.half.contains_rect(place.rect) { 0.0 } else { OTHER_HALF };
+            wanted.leader + leader[0].distance(leader[1]) + away + ON_ARROW * across
+        });
+        let shunned = if self.is_shunned(place.rect) { SHUNNED } else { 0.0 };
+        let on_arrow = self.arrows.iter().any(|arrow| touches(place.rect, *arrow));
+        let on_arrow = if on_arrow { ON_ARROW } else { 0.0 };
+        least_cost(wanted, place.point, place.size, place.rect) + led + shunned + on_arrow
     }
 
     /// The same place beside the point where it is now.
@@ -147,56 +201,47 @@ impl Placement {
         }
     }
 
-    fn best(&self, wanted: &Wanted) -> Option<Place> {
-        let beside = || {
-            wanted.sizes.iter().enumerate().skip(wanted.first).flat_map(|(k, size)| {
-                let of_point = move |(point, at): (usize, &Pos2)| {
-                    adjacent(*at, *size).map(move |rect| (point, k, rect)).collect::<Vec<_>>()
-                };
-                wanted.own.iter().enumerate().flat_map(of_point)
-            })
-        };
-        let free =
-            beside().filter_map(|(point, size, rect)| self.beside(wanted, point, size, self.pushed_in(rect)));
-        // The first of the best ones.
-        let found = free.min_by_key(|place| self.rank(place));
-        found.or_else(|| {
-            (wanted.first..wanted.sizes.len()).find_map(|size| {
-                let led = (0..wanted.own.len()).flat_map(|point| {
-                    around(wanted.own[point], wanted.sizes[size])
-                        .filter_map(move |rect| self.led(wanted, point, size, self.pushed_in(rect)))
-                });
-                let cost = |place: &Place| {
-                    let away = if wanted.half.contains_rect(place.rect) { 0.0 } else { OTHER_HALF };
-                    let on_path = if self.is_shunned(place.rect) { SHORTER } else { 0.0 };
-                    place.length() + away + on_path
-                };
-                led.min_by(|a, b| cost(a).total_cmp(&cost(b)))
-            })
-        })
+    /// The place of least cost, where that is below `limit`; of equal ones the first.
+    fn best(&self, wanted: &Wanted, limit: f32) -> Option<Place> {
+        let mut best = None;
+        let mut least = limit;
+        for size in wanted.first..wanted.sizes.len() {
+            for point in 0..wanted.own.len() {
+                for rect in places(wanted.own[point], wanted.sizes[size], wanted.towards) {
+                    let rect = self.pushed_in(rect);
+                    let away = rect.distance_to_pos(wanted.own[point]);
+                    let led = if away < BESIDE { 0.0 } else { wanted.leader + away - MARK_RADIUS };
+                    // Most are seen to be dear before it is asked whether they are free.
+                    if least_cost(wanted, point, size, rect) + led >= least {
+                        continue;
+                    }
+                    let beside = self.beside(wanted, point, size, rect);
+                    let place = beside.or_else(|| self.led(wanted, point, size, rect));
+                    let Some(place) = place else { continue };
+                    let cost = self.cost(wanted, &place);
+                    if cost < least {
+                        (best, least) = (Some(place), cost);
+                    }
+                }
+            }
+        }
+        best
     }
 
     /// A place without a leader: free, near, in its half, and plainly nearer to its own point than to any other.
     fn beside(&self, wanted: &Wanted, point: usize, size: usize, rect: Rect) -> Option<Place> {
         let own = rect.distance_to_pos(wanted.own[point]);
-        let plain = wanted.others.iter().all(|other| rect.distance_to_pos(*other) > 1.4 * own + 2.0);
-        (plain && own < 2.0 * GAP && wanted.half.contains_rect(rect) && self.is_free(rect)).then_some(Place {
-            rect,
-            size,
-            leader: None,
-            point,
-        })
+        let plain = || wanted.others.iter().all(|other| rect.distance_to_pos(*other) > 1.4 * own + 2.0);
+        let here = own < BESIDE && wanted.half.contains_rect(rect) && plain() && self.is_free(rect);
+        here.then_some(Place { rect, size, leader: None, point })
     }
 
     /// A place with a leader, which passes no other point and crosses nothing that is written.
     fn led(&self, wanted: &Wanted, point: usize, size: usize, rect: Rect) -> Option<Place> {
         let own = wanted.own[point];
-        if !self.is_free(rect) || !self.frame.contains(own) {
-            return None;
-        }
         let from = rect.clamp(own);
         let way = own - from;
-        if way.length() < MARK_RADIUS + 4.0 {
+        if way.length() < MARK_RADIUS + 4.0 || !self.frame.contains(own) || !self.is_free(rect) {
             return None;
         }
         let leader = [from, own - way.normalized() * MARK_RADIUS];
@@ -219,19 +264,28 @@ impl Placement {
             inwards(place.top(), place.bottom(), frame.top(), frame.bottom()),
         ))
     }
+}
 
-    /// Takes the first free place that is not shunned, else the first free one.
-    pub fn take_first(&mut self, places: impl Iterator<Item = Rect>) -> Option<Rect> {
-        let mut free = places.filter(|place| self.is_free(*place)).peekable();
-        let first = *free.peek()?;
-        let place = free.find(|place| !self.is_shunned(*place)).unwrap_or(first);
-        self.labels.push(place.expand(2.0));
-        Some(place)
-    }
+/// Draws a leader: thinner and fainter than anything that it could be taken for, in no colour that has a meaning.
+pub fn draw_leader(painter: &Painter, ends: [Pos2; 2], palette: &Palette) {
+    painter.line_segment(ends, Stroke::new(0.8, palette.weak.gamma_multiply(0.8)));
+}
+
+/// What a place costs whatever lies there: where a label belongs to one side, its way from there.
+fn least_cost(wanted: &Wanted, point: usize, size: usize, rect: Rect) -> f32 {
+    let aside = wanted.towards.map_or(0.0, |towards| {
+        let own = wanted.own[point];
+        let way = (rect.center() - own).normalized();
+        ASIDE * way.dot(towards).clamp(-1.0, 1.0).acos() + rect.distance_to_pos(own)
+    });
+    LESS * size as f32 + aside
 }
 
 /// Whether a straight line touches a rectangle.
 fn touches(rect: Rect, [a, b]: [Pos2; 2]) -> bool {
+    if !rect.intersects(Rect::from_two_pos(a, b)) {
+        return false;
+    }
     let corners = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom()];
     rect.contains(a) || rect.contains(b) || (0..4).any(|k| cross([corners[k], corners[(k + 1) % 4]], [a, b]))
 }
@@ -242,8 +296,15 @@ fn cross([a, b]: [Pos2; 2], [c, d]: [Pos2; 2]) -> bool {
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
-/// Places beside an anchor: above and below before the sides, where the real axis runs through a label.
-fn adjacent(anchor: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
+/// Places for a label, from near its point to far: on the side where it belongs first, or where it belongs to none beside the
+/// point on all sides.
+fn places(at: Pos2, size: Vec2, towards: Option<Vec2>) -> impl Iterator<Item = Rect> {
+    let beside = towards.is_none().then(|| adjacent(at, size)).into_iter().flatten();
+    beside.chain(around(at, size, towards))
+}
+
+/// Places beside a point: above and below before the sides, where the real axis runs through a label.
+fn adjacent(at: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
     let half = 0.5 * size;
     let (dx, dy) = (half.x + GAP, half.y + GAP);
     // A corner next to the mark.
@@ -263,17 +324,21 @@ fn adjacent(anchor: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
         Vec2::new(cx, cy),
     ]
     .into_iter()
-    .map(move |offset| Rect::from_center_size(anchor + offset, size))
+    .map(move |offset| Rect::from_center_size(at + offset, size))
 }
 
-/// Places around an anchor, wider and wider.
-fn around(anchor: Pos2, size: Vec2) -> impl Iterator<Item = Rect> {
+/// Places around a point, wider and wider; on each ring the side where the label belongs first.
+fn around(at: Pos2, size: Vec2, towards: Option<Vec2>) -> impl Iterator<Item = Rect> {
     const DIRECTIONS: usize = 16;
-    [18.0_f32, 28.0, 40.0, 55.0, 75.0, 100.0, 130.0, 170.0, 220.0, 280.0].into_iter().flat_map(move |gap| {
+    const GAPS: [f32; 12] = [6.0, 12.0, 18.0, 28.0, 40.0, 55.0, 75.0, 100.0, 130.0, 170.0, 220.0, 280.0];
+    let turn = towards.map_or(0.0, Vec2::angle);
+    GAPS.into_iter().flat_map(move |gap| {
         (0..DIRECTIONS).map(move |k| {
-            let toward = Vec2::angled(TAU * k as f32 / DIRECTIONS as f32);
+            // To one side and the other in turn.
+            let steps = k.div_ceil(2) as f32 * if k % 2 == 0 { 1.0 } else { -1.0 };
+            let toward = Vec2::angled(turn + TAU * steps / DIRECTIONS as f32);
             let offset = Vec2::new(toward.x * (0.5 * size.x + gap), toward.y * (0.5 * size.y + gap));
-            Rect::from_center_size(anchor + offset, size)
+            Rect::from_center_size(at + offset, size)
         })
     })
 }
@@ -285,7 +350,15 @@ mod tests {
     use super::*;
 
     fn lone(at: Pos2, size: Vec2) -> Wanted {
-        Wanted { own: vec![at], others: Vec::new(), half: Rect::EVERYTHING, sizes: vec![size], first: 0 }
+        Wanted {
+            own: vec![at],
+            others: Vec::new(),
+            half: Rect::EVERYTHING,
+            sizes: vec![size],
+            first: 0,
+            towards: None,
+            leader: 10_000.0,
+        }
     }
 
     #[test]
@@ -339,6 +412,70 @@ mod tests {
         let line = Rect::from_center_size(frame.center(), Vec2::new(4.0, 300.0));
         assert!(!place(line).rect.intersects(line));
         assert_eq!(place(frame).leader, None);
+    }
+
+    /// Arrows from one point all around, with the labels of their tips: a scene that turns.
+    fn turned(angle: f32, kept: &mut [Option<Kept>; 5]) -> Vec<Place> {
+        let centre = Pos2::new(200.0, 150.0);
+        let tips = [(0.0, 90.0), (0.2, 60.0), (1.7, 100.0), (3.3, 30.0), (4.9, 80.0)];
+        let tips = tips.map(|(at, length)| (Vec2::angled(angle + at), length));
+        let mut placement = Placement::new(Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0)));
+        for (towards, length) in tips {
+            let tip = centre + length * towards;
+            placement.keep_clear(Rect::from_center_size(tip, Vec2::splat(8.0)));
+            placement.shun_arrow(&[centre, tip]);
+        }
+        let place = |((towards, length), kept): ((Vec2, f32), &mut Option<Kept>)| {
+            let wanted = Wanted {
+                towards: Some(towards),
+                leader: 30.0,
+                ..lone(centre + length * towards, Vec2::new(56.0, 16.0))
+            };
+            let (place, now) = placement.label(&wanted, *kept, true)?;
+            *kept = Some(now);
+            Some(place)
+        };
+        tips.into_iter().zip(kept).filter_map(place).collect()
+    }
+
+    #[test]
+    fn labels_of_arrows_that_turn_stand_at_their_tips_off_all_arrows_and_seldom_jump() {
+        let mut kept = [None; 5];
+        let mut jumps = 0;
+        for step in 0..360 {
+            let before = kept;
+            let places = turned((step as f32).to_radians(), &mut kept);
+            assert_eq!(places.len(), 5, "{step}°");
+            assert!(places.iter().filter(|place| place.leader.is_some()).count() <= 1, "{step}°");
+            for (i, place) in places.iter().enumerate() {
+                assert!(places[i + 1..].iter().all(|other| !other.rect.intersects(place.rect)), "{step}°");
+            }
+            let shift = |(a, b): (Option<Kept>, Option<Kept>)| Some((a?.offset - b?.offset).length());
+            jumps += before.into_iter().zip(kept).filter_map(shift).filter(|shift| *shift > 25.0).count();
+        }
+        // Five labels go once around: each changes its side a few times.
+        assert!(jumps <= 40, "{jumps} jumps");
+    }
+
+    #[test]
+    fn a_label_stands_beside_a_silhouette_where_it_needs_no_leader_for_that() {
+        let mut mesh = egui::Mesh::default();
+        let corners = [Pos2::new(60.0, 40.0), Pos2::new(340.0, 40.0), Pos2::new(200.0, 260.0)];
+        corners.into_iter().for_each(|corner| mesh.colored_vertex(corner, egui::Color32::WHITE));
+        mesh.add_triangle(0, 1, 2);
+        let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
+        let mut placement = Placement::new(frame);
+        placement.shun_silhouette(Arc::new(Silhouette::of(&mesh, frame)));
+        let covered = |rect: Rect| Silhouette::of(&mesh, frame).is_under(rect);
+        for (tip, on_it) in
+            [(Pos2::new(300.0, 30.0), false), (Pos2::new(330.0, 70.0), false), (Pos2::new(200.0, 70.0), true)]
+        {
+            let size = Vec2::new(20.0, 12.0);
+            let wanted = Wanted { towards: Some(Vec2::X), leader: 25.0, ..lone(tip, size) };
+            let (place, _) = placement.clone().label(&wanted, None, true).expect("a place");
+            assert_eq!(covered(place.rect), on_it, "{place:?}");
+            assert_eq!(place.leader, None, "{place:?}");
+        }
     }
 
     fn points() -> impl Strategy<Value = Vec<(Pos2, Vec2)>> {
