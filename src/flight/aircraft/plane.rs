@@ -18,6 +18,14 @@ pub enum Plane {
 impl Plane {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Longitudinal, Self::Lateral];
+
+    /// Key in JSON and on the command line; it never changes.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Longitudinal => "longitudinal",
+            Self::Lateral => "lateral",
+        }
+    }
 }
 
 /// One thing for each plane: `pair.lateral`, or `pair[plane]` where the plane is a value.

@@ -45,6 +45,24 @@ pub enum ApproximationName {
 }
 
 impl ApproximationName {
+    /// Key in JSON; it never changes.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::ShortPeriodTwoStates => "short-period-two-states",
+            Self::ShortPeriodPitchOnly => "short-period-pitch-only",
+            Self::PhugoidLanchester => "phugoid-lanchester",
+            Self::PhugoidTwoStates => "phugoid-two-states",
+            Self::PhugoidResidualised => "phugoid-residualised",
+            Self::PhugoidQuartic => "phugoid-quartic",
+            Self::DutchRollTwoStates => "dutch-roll-two-states",
+            Self::DutchRollYawOnly => "dutch-roll-yaw-only",
+            Self::RollDamping => "roll-damping",
+            Self::SpiralPolynomial => "spiral-polynomial",
+            Self::SpiralWithGravity => "spiral-with-gravity",
+            Self::SpiralQuick => "spiral-quick",
+        }
+    }
+
     /// Whether it is the first that a course would name of its mode: one for each.
     pub const fn is_principal(self) -> bool {
         matches!(

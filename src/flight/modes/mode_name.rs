@@ -58,6 +58,64 @@ pub enum ModeName {
     LateralDivergence,
 }
 
+impl ModeName {
+    /// Every name, in the order in which modes are listed.
+    pub const ALL: [Self; 23] = [
+        Self::ShortPeriod,
+        Self::ShortPeriodFastRoot,
+        Self::ShortPeriodSlowRoot,
+        Self::PitchSubsidence,
+        Self::PitchDivergence,
+        Self::ThirdOscillatory,
+        Self::Phugoid,
+        Self::PhugoidFastRoot,
+        Self::PhugoidSlowRoot,
+        Self::SpeedSubsidence,
+        Self::SpeedDivergence,
+        Self::DutchRoll,
+        Self::DutchRollMoreStableRoot,
+        Self::DutchRollLessStableRoot,
+        Self::SideslipSubsidence,
+        Self::DirectionalDivergence,
+        Self::CoupledRollSpiral,
+        Self::LateralOscillation,
+        Self::RollSubsidence,
+        Self::RollDivergence,
+        Self::Spiral,
+        Self::LateralSubsidence,
+        Self::LateralDivergence,
+    ];
+
+    /// Key in files, links, JSON and on the command line; it never changes.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::ShortPeriod => "short-period",
+            Self::ShortPeriodFastRoot => "short-period-fast-root",
+            Self::ShortPeriodSlowRoot => "short-period-slow-root",
+            Self::PitchSubsidence => "pitch-subsidence",
+            Self::PitchDivergence => "pitch-divergence",
+            Self::ThirdOscillatory => "third-oscillatory",
+            Self::Phugoid => "phugoid",
+            Self::PhugoidFastRoot => "phugoid-fast-root",
+            Self::PhugoidSlowRoot => "phugoid-slow-root",
+            Self::SpeedSubsidence => "speed-subsidence",
+            Self::SpeedDivergence => "speed-divergence",
+            Self::DutchRoll => "dutch-roll",
+            Self::DutchRollMoreStableRoot => "dutch-roll-more-stable-root",
+            Self::DutchRollLessStableRoot => "dutch-roll-less-stable-root",
+            Self::SideslipSubsidence => "sideslip-subsidence",
+            Self::DirectionalDivergence => "directional-divergence",
+            Self::CoupledRollSpiral => "coupled-roll-spiral",
+            Self::LateralOscillation => "lateral-oscillation",
+            Self::RollSubsidence => "roll-subsidence",
+            Self::RollDivergence => "roll-divergence",
+            Self::Spiral => "spiral",
+            Self::LateralSubsidence => "lateral-subsidence",
+            Self::LateralDivergence => "lateral-divergence",
+        }
+    }
+}
+
 /// A name, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Naming {

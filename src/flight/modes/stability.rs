@@ -18,6 +18,17 @@ pub enum Stability {
     Unstable,
 }
 
+impl Stability {
+    /// Key in JSON and tables; it never changes.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Neutral => "neutral",
+            Self::Unstable => "unstable",
+        }
+    }
+}
+
 /// Whether a motion with real part `sigma` grows, in a matrix whose largest |λ| is `spectral_radius`, both \[1/s\].
 pub fn dynamic_stability(sigma: f64, spectral_radius: f64) -> Stability {
     if sigma.abs() <= NEUTRAL_FRACTION * spectral_radius {

@@ -27,6 +27,16 @@ pub enum Level {
 }
 
 impl Level {
+    /// Key in JSON and links; it never changes.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::One => "level-1",
+            Self::Two => "level-2",
+            Self::Three => "level-3",
+            Self::Beyond => "worse-than-level-3",
+        }
+    }
+
     const fn number(self) -> usize {
         self as usize
     }

@@ -130,6 +130,19 @@ pub enum Criterion {
 }
 
 impl Criterion {
+    /// Key in JSON; it never changes.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Phugoid => "phugoid",
+            Self::ShortPeriodDamping => "short-period-damping",
+            Self::ShortPeriodFrequency => "short-period-frequency",
+            Self::DutchRoll => "dutch-roll",
+            Self::RollMode => "roll-mode",
+            Self::Spiral => "spiral",
+            Self::CoupledRollSpiral => "coupled-roll-spiral",
+        }
+    }
+
     /// The mode that it judges.
     pub const fn concerns(self) -> ModeName {
         match self {
