@@ -9,7 +9,7 @@ use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::edits::Edited;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::aircraft::study::{MatrixStudy, Study};
-use eigenwing::flight::modes::approximations::approximations;
+use eigenwing::flight::modes::approximations::{DownwashLag, approximations};
 use eigenwing::flight::modes::eigen::eigen;
 use eigenwing::flight::modes::inverse::{Adjustable, Linearised, place_pole};
 use eigenwing::flight::modes::locus::locus;
@@ -94,6 +94,8 @@ fn nonlinear(criterion: &mut Criterion) {
         edges: &[1.0, 2.0],
         longitudinal: Vector4::zeros(),
         lateral: Vector4::zeros(),
+        heading: 0.0,
+        position: [0.0; 3],
     };
     criterion.bench_function("navion/six_dof_trim", |bench| {
         bench.iter(|| SixDof::new(black_box(&scenario.edited)));
@@ -119,7 +121,9 @@ fn parts(criterion: &mut Criterion) {
                 }
             }
         });
-        bench("approximations", &|| drop(black_box(approximations(black_box(&stability_axes), &found))));
+        bench("approximations", &|| {
+            drop(black_box(approximations(black_box(&stability_axes), DownwashLag::default(), &found)))
+        });
         bench("handling_qualities", &|| {
             drop(black_box(handling_qualities(black_box(model), &found, Class::I, Category::B)));
         });
