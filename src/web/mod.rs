@@ -1,7 +1,6 @@
 //! The browser: starting on the page's canvas, telling the page how it went, the address bar, the JavaScript handle.
 
 mod address;
-pub mod mirror;
 
 use std::any::Any;
 
@@ -48,7 +47,7 @@ async fn run() -> Result<(), JsValue> {
         if reduced_motion {
             cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
         }
-        cc.egui_ctx.add_plugin(mirror::Mirror);
+        cc.egui_ctx.add_plugin(egui_dom_mirror::Mirror);
         Ok(Box::new(Page { app, address, frames: 0 }))
     });
     runner.start(canvas, WebOptions::default(), create).await
@@ -96,7 +95,7 @@ impl eframe::App for Page {
         self.app.ui(ui);
         self.address.follow(ui, &self.app);
         if let Some(sentence) = self.app.take_unsaid() {
-            mirror::announce(&sentence);
+            egui_dom_mirror::announce(&sentence);
         }
         // The second frame begins once the first is on screen.
         match self.frames {

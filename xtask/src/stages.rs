@@ -60,7 +60,8 @@ fn test_core(project: &Project) -> Result<()> {
 fn test_ui(project: &Project) -> Result<()> {
     run(cargo(project)
         .args(["test", "--locked", "--no-default-features"])
-        .args(["--features=ui-tests", "--test=ui*"]))
+        .args(["--features=ui-tests", "--test=ui*"]))?;
+    run(cargo(project).args(["test", "--locked", "--package=egui-dom-mirror"]))
 }
 
 /// Finds what is unused or missing without a user interface.

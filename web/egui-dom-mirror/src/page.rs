@@ -1,50 +1,20 @@
-//! The page for those who can't see a canvas: what egui draws, once more as real elements.
-//!
-//! egui describes each frame as an [AccessKit](accesskit) tree, which eframe drops in a browser. This plugin mirrors
-//! the tree into `<div id="mirror">`, a transparent layer over the canvas, and hands what happens to those elements
-//! back to egui. It serves screen readers, and browser tests, which find a slider by its name.
-//!
-//! ```text
-//! egui ── output_hook ──► tree ──► elements ──► screen reader
-//!   ▲                                             │
-//!   └── input_hook ◄── action requests ◄── events ┘
-//! ```
-//!
-//! * Elements persist, keyed by node, and only what changed is written: a focused one stays focused.
-//! * They stand in the order of the tree, at the bounds of what they mirror. Roles that hold others (region, group,
-//!   dialog, list box …) become elements around them; panels and rows without a name leave no trace.
-//! * The keyboard stays with the canvas (`tabindex="-1"`). Something that focuses an element focuses egui's widget.
-//!   What the keyboard reaches or changes on the canvas is announced, for the browser's own focus stays on the canvas.
-//! * While an element has the browser's focus, egui has the page's, and gets the keys that the element has no use for: the
-//!   canvas hears none of them. Tab, or the end of the element, gives the browser's focus back to the canvas.
-//! * While frames come fast, egui makes a tree ten times a second only; after the last frame it makes one more.
-//!
-//! The page brings two elements and this style. Without `#mirror` the plugin does nothing.
-//!
-//! ```css
-//! #mirror { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
-//! #mirror [data-id]:not([data-holds]) { position: absolute; margin: 0; padding: 0; border: 0; overflow: hidden;
-//!     box-sizing: border-box; opacity: 0; white-space: nowrap; pointer-events: none; }
-//! #announcements { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
-//! ```
-//! ```html
-//! <div id="mirror"></div>
-//! <div id="announcements" aria-live="polite"></div>
-//! ```
-
-mod element;
-mod typed;
+//! The layer over the canvas: elements brought up to date after a frame, and what happens to them handed to egui before one.
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::mem;
 
-use egui::accesskit::{self, Action, ActionData, ActionRequest, Node, NodeId, Role, TreeUpdate};
+use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId, TreeUpdate};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Document, Element, Event, FocusOptions, HtmlElement, HtmlInputElement, KeyboardEvent};
 
-use element::{Kind, Picture, Shown};
+use crate::answer::{Answer, Happened, answer};
+use crate::element::Shown;
+use crate::key::KeyStroke;
+use crate::kind::Kind;
+use crate::outline::Outline;
+use crate::picture::Picture;
 
 /// While frames come faster than this, egui doesn't make a tree for each.
 const INTERVAL_MS: i32 = 100;
@@ -52,43 +22,37 @@ const INTERVAL_MS: i32 = 100;
 /// Heard at the root, for all elements in it.
 const EVENTS: [&str; 7] = ["click", "input", "change", "keydown", "keyup", "focusin", "focusout"];
 
-/// Add it with `ctx.add_plugin(Mirror)`.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Mirror;
-
 thread_local! {
     // Not in the plugin: egui wants plugins to be `Send`, and elements belong to their thread.
     static PAGE: RefCell<Option<Page>> = const { RefCell::new(None) };
 }
 
-impl egui::Plugin for Mirror {
-    fn debug_name(&self) -> &'static str {
-        "accessibility mirror"
+/// Begins to mirror this context, in a page that wants it.
+pub fn open(ctx: &egui::Context) {
+    let page = Page::find(ctx);
+    if page.is_some() {
+        ctx.enable_accesskit();
     }
+    PAGE.set(page);
+}
 
-    fn setup(&mut self, ctx: &egui::Context) {
-        let page = Page::find(ctx);
-        if page.is_some() {
-            ctx.enable_accesskit();
-        }
-        PAGE.set(page);
-    }
+/// Takes the elements out of the page.
+pub fn close() {
+    PAGE.set(None);
+}
 
-    fn on_exit(&mut self, _ctx: &egui::Context) {
-        PAGE.set(None);
-    }
+/// Before a frame: gives egui what has happened to the elements.
+pub fn pass_on(ctx: &egui::Context, input: &mut egui::RawInput) {
+    with_page(|page| page.pass_on(ctx, input));
+}
 
-    fn input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
-        with_page(|page| page.pass_on(ctx, input));
-    }
-
-    fn output_hook(&mut self, ctx: &egui::Context, output: &mut egui::FullOutput) {
-        let tree = output.platform_output.accesskit_update.take();
-        with_page(|page| match tree {
-            Some(tree) => page.receive(&tree, f64::from(ctx.zoom_factor())),
-            None => page.missed = true,
-        });
-    }
+/// After a frame: writes its tree, if egui has made one.
+pub fn receive(ctx: &egui::Context, output: &mut egui::FullOutput) {
+    let tree = output.platform_output.accesskit_update.take();
+    with_page(|page| match tree {
+        Some(tree) => page.receive(&tree, f64::from(ctx.zoom_factor())),
+        None => page.missed = true,
+    });
 }
 
 /// Has a screen reader say this sentence when it next pauses.
@@ -220,37 +184,24 @@ impl Page {
     }
 
     fn write(&mut self, update: &TreeUpdate, zoom: f64) {
-        let Some(root) = update.tree.as_ref().map(|tree| tree.root) else {
+        let Some(Outline { pictures, orders }) = Outline::of(update, zoom) else {
             return;
         };
-        let mut tree = Tree {
-            nodes: update.nodes.iter().map(|(id, node)| (*id, node)).collect(),
-            zoom,
-            seen: HashSet::new(),
-            orders: Vec::new(),
-        };
-        let mut children = Vec::new();
         let had_focus = self.has_browser_focus();
-        self.write_node(&mut tree, root, None, &mut children);
+        let seen: HashSet<NodeId> = pictures.iter().map(|(id, _)| *id).collect();
+        for (id, picture) in pictures {
+            self.write_element(id, picture);
+        }
         // Those gone leave first, so that none of those that stay has to be moved, which would lose it the focus.
         self.shown.retain(|id, shown| {
-            let stays = tree.seen.contains(id);
+            let stays = seen.contains(id);
             if !stays {
                 shown.element.remove();
             }
             stays
         });
-        for (holder, children) in tree.orders {
-            if let Some(shown) = self.shown.get(&holder).filter(|shown| shown.children != children) {
-                place(&self.shown, &shown.element, &children);
-            }
-            if let Some(shown) = self.shown.get_mut(&holder) {
-                shown.children = children;
-            }
-        }
-        if self.children != children {
-            place(&self.shown, &self.root, &children);
-            self.children = children;
+        for (holder, children) in orders {
+            self.order(holder, children);
         }
         if had_focus && !self.has_browser_focus() {
             // What had it is gone, and keys would reach nobody. eframe sees that the canvas has it in the next frame.
@@ -258,6 +209,43 @@ impl Page {
             self.ctx.request_repaint();
         }
         self.announce_focus(update.focus);
+    }
+
+    /// Brings the element of this node up to date, or makes one.
+    fn write_element(&mut self, id: NodeId, picture: Picture) {
+        match self.shown.get_mut(&id) {
+            Some(shown) if shown.picture.kind.tag() == picture.kind.tag() => shown.update(picture),
+            _ => {
+                let Some(shown) = Shown::new(&self.document, id, picture) else {
+                    return;
+                };
+                if let Some(old) = self.shown.insert(id, shown) {
+                    old.element.remove();
+                    // Its place among its siblings is to be found again, as are those of what it held.
+                    self.children.clear();
+                    self.shown.values_mut().for_each(|shown| shown.children.clear());
+                }
+            }
+        }
+    }
+
+    /// Puts what this holder holds into order, if it isn't; without a holder, what stands in the root.
+    fn order(&mut self, holder: Option<NodeId>, children: Vec<NodeId>) {
+        let (element, old) = match holder {
+            None => (&self.root, &self.children),
+            Some(holder) => match self.shown.get(&holder) {
+                Some(shown) => (&shown.element, &shown.children),
+                None => return,
+            },
+        };
+        if *old == children {
+            return;
+        }
+        place(&self.shown, element, &children);
+        match holder.and_then(|holder| self.shown.get_mut(&holder)) {
+            Some(shown) => shown.children = children,
+            None => self.children = children,
+        }
     }
 
     /// Whether the browser's focus is on an element of the mirror.
@@ -292,57 +280,6 @@ impl Page {
         }
     }
 
-    /// Brings the element of this node up to date, if it has one, and names it in `siblings`; then those inside it.
-    fn write_node(
-        &mut self,
-        tree: &mut Tree<'_>,
-        id: NodeId,
-        holder: Option<Kind>,
-        siblings: &mut Vec<NodeId>,
-    ) {
-        let Some(&node) = tree.nodes.get(&id) else {
-            return;
-        };
-        if node.is_hidden() || node.role() == Role::TextRun || tree.seen.contains(&id) {
-            return;
-        }
-        let Some(picture) = Picture::of(node, holder, &tree.name(node), tree.zoom) else {
-            for &child in node.children() {
-                self.write_node(tree, child, holder, siblings);
-            }
-            return;
-        };
-        let kind = picture.kind;
-        tree.seen.insert(id);
-        siblings.push(id);
-        match self.shown.get_mut(&id) {
-            Some(shown) if shown.picture.kind.tag() == kind.tag() => shown.update(picture),
-            _ => {
-                let Some(shown) = Shown::new(&self.document, id, picture) else {
-                    return;
-                };
-                if let Some(old) = self.shown.insert(id, shown) {
-                    old.element.remove();
-                    // Its place among its siblings is to be found again, as are those of what it held.
-                    self.children.clear();
-                    self.shown.values_mut().for_each(|shown| shown.children.clear());
-                }
-            }
-        }
-        if kind.holds() {
-            let mut children = Vec::new();
-            for &child in node.children() {
-                self.write_node(tree, child, Some(kind), &mut children);
-            }
-            tree.orders.push((id, children));
-        } else {
-            // What lies inside a widget comes after it.
-            for &child in node.children() {
-                self.write_node(tree, child, holder, siblings);
-            }
-        }
-    }
-
     fn hear(&mut self, event: &Event) {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let Some(element) = target.and_then(|target| target.closest("[data-id]").ok().flatten()) else {
@@ -352,71 +289,86 @@ impl Page {
         let Some((id, shown)) = id.and_then(|id| Some((id, self.shown.get_mut(&id)?))) else {
             return;
         };
-        let kind = shown.picture.kind;
-        if let Some(key) = event.dyn_ref::<KeyboardEvent>()
-            && !kind.uses_key(&key.key())
-        {
-            if kind.is_typed() {
-                shown.finish_typing();
-            }
-            if key.key() == "Tab" && event.type_() == "keydown" {
-                // From here the canvas has the keyboard. egui's focus stays where it is until egui has gone on.
-                self.focus_canvas();
-            }
-            typed::hear(key, &mut self.events);
-            return self.ctx.request_repaint();
-        }
-        let is_enter = || event.dyn_ref::<KeyboardEvent>().is_some_and(|key| key.key() == "Enter");
-        let ends = match event.type_().as_str() {
-            "focusout" => true,
-            "change" => kind.is_typed(),
-            "keydown" => kind.is_typed() && is_enter(),
-            _ => false,
-        };
-        if ends {
-            // As Enter or Tab would do in egui: what was typed counts from here.
-            shown.finish_typing();
-            self.left = Some(id);
-            return self.ctx.request_repaint();
-        }
-        let typed = || element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
-        let (action, data) = match (event.type_().as_str(), kind) {
-            ("focusin", kind) if shown.picture.focusable => {
-                if kind.is_typed() {
-                    shown.begin_typing();
-                }
-                (Action::Focus, None)
-            }
-            ("click", kind) if kind.is_pressed() => {
-                // egui closes a list only when the pointer clicks in it.
-                self.chosen = matches!(kind, Kind::Item("option" | "menuitem"));
-                (Action::Click, None)
-            }
-            // The widget knows its steps; the browser would take a hundredth of the range.
-            ("keydown", Kind::Slider) => {
-                match event.dyn_ref::<KeyboardEvent>().map(KeyboardEvent::key).as_deref() {
-                    Some("ArrowRight" | "ArrowUp") => (Action::Increment, None),
-                    Some("ArrowLeft" | "ArrowDown") => (Action::Decrement, None),
-                    _ => return,
-                }
-            }
-            ("input", Kind::Slider | Kind::SpinButton) => match number(&typed()) {
-                Some(number) => (Action::SetValue, Some(ActionData::NumericValue(number))),
-                None => return shown.begin_typing(),
-            },
-            ("input", Kind::Text) => (Action::SetValue, Some(ActionData::Value(typed().into()))),
+        let (kind, focusable) = (shown.picture.kind, shown.picture.focusable);
+        let key = event.dyn_ref::<KeyboardEvent>();
+        let name = key.map(KeyboardEvent::key).unwrap_or_default();
+        let value = element.dyn_ref::<HtmlInputElement>().map(HtmlInputElement::value).unwrap_or_default();
+        let happened = match event.type_().as_str() {
+            "click" => Happened::Click,
+            "input" => Happened::Input(&value),
+            "change" => Happened::Change,
+            "keydown" => Happened::KeyDown(&name),
+            "keyup" => Happened::KeyUp(&name),
+            "focusin" => Happened::FocusIn,
+            "focusout" => Happened::FocusOut,
             _ => return,
         };
+        match answer(kind, focusable, happened) {
+            Answer::Nothing => return,
+            Answer::Typing => return shown.begin_typing(),
+            Answer::Done => {
+                shown.finish_typing();
+                self.left = Some(id);
+            }
+            Answer::Key => {
+                if kind.is_typed() {
+                    shown.finish_typing();
+                }
+                if let Some(key) = key {
+                    self.hand_on(key);
+                }
+            }
+            Answer::Ask(action, data) => {
+                if matches!(action, Action::Increment | Action::Decrement) {
+                    event.prevent_default();
+                }
+                self.ask(id, action, data);
+            }
+        }
+        self.ctx.request_repaint();
+    }
+
+    /// Gives a key to egui.
+    fn hand_on(&mut self, key: &KeyboardEvent) {
+        let stroke = KeyStroke {
+            name: key.key(),
+            code: key.code(),
+            pressed: key.type_() == "keydown",
+            modifiers: egui::Modifiers {
+                alt: key.alt_key(),
+                ctrl: key.ctrl_key(),
+                shift: key.shift_key(),
+                mac_cmd: key.meta_key(),
+                command: key.ctrl_key() || key.meta_key(),
+            },
+        };
+        if stroke.pressed && stroke.name == "Tab" {
+            // From here the canvas has the keyboard. egui's focus stays where it is until egui has gone on.
+            self.focus_canvas();
+        }
+        if stroke.is_kept_from_the_page() {
+            key.prevent_default();
+        }
+        self.events.append(&mut stroke.events());
+    }
+
+    /// Asks egui for an action on the widget of an element.
+    fn ask(&mut self, id: NodeId, action: Action, data: Option<ActionData>) {
+        let Some(shown) = self.shown.get_mut(&id) else { return };
+        let kind = shown.picture.kind;
+        if action == Action::Click {
+            // egui closes a list only when the pointer clicks in it.
+            self.chosen = matches!(kind, Kind::Item("option" | "menuitem"));
+        }
         match action {
-            Action::Focus => {}
-            Action::Increment | Action::Decrement => event.prevent_default(),
+            Action::Increment | Action::Decrement => {}
             _ if kind.is_typed() => shown.begin_typing(),
+            Action::Focus => {}
             // The browser has changed the element; egui may decide otherwise.
             _ => shown.forget_state(),
         }
-        let target_tree = accesskit::TreeId::ROOT;
         let mut ask = |action, data| {
-            let request = ActionRequest { action, target_tree, target_node: id, data };
+            let request = ActionRequest { action, target_tree: TreeId::ROOT, target_node: id, data };
             self.events.push(egui::Event::AccessKitActionRequest(request));
         };
         let by_key = matches!(action, Action::Increment | Action::Decrement);
@@ -425,7 +377,6 @@ impl Page {
             ask(Action::Focus, None);
         }
         ask(action, data);
-        self.ctx.request_repaint();
     }
 }
 
@@ -440,33 +391,6 @@ impl Drop for Page {
                 self.root.remove_event_listener_with_callback(name, self.listener.as_ref().unchecked_ref());
         }
         self.root.set_text_content(None);
-    }
-}
-
-/// What a person typed: `−0.68`, or `42.5 kg` with its unit.
-fn number(typed: &str) -> Option<f64> {
-    typed.split_whitespace().next()?.replace('−', "-").parse().ok()
-}
-
-/// One frame's description.
-struct Tree<'a> {
-    nodes: HashMap<NodeId, &'a Node>,
-    /// CSS pixels a point.
-    zoom: f64,
-    seen: HashSet<NodeId>,
-    /// What each element holds, in order.
-    orders: Vec<(NodeId, Vec<NodeId>)>,
-}
-
-impl Tree<'_> {
-    /// The accessible name: its own, or those of its labels.
-    fn name(&self, node: &Node) -> String {
-        if let Some(label) = node.label() {
-            return label.to_owned();
-        }
-        let labels = node.labelled_by().iter().filter_map(|id| self.nodes.get(id));
-        let names: Vec<&str> = labels.filter_map(|label| label.value().or(label.label())).collect();
-        names.join(" ")
     }
 }
 
