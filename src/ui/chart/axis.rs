@@ -133,8 +133,8 @@ fn right_angles(range: &RangeInclusive<f64>, room: Room<'_>) -> Option<Vec<Tick>
 /// Powers of ten; where there are fewer than two, their double and fivefold too, and where not even those are two, round numbers.
 fn decades(range: &RangeInclusive<f64>, room: Room<'_>) -> Vec<Tick> {
     let (first, last) = (range.start().floor().max(-12.0) as i32, range.end().floor().min(12.0) as i32);
-    let within = |digits: &[f64], every: usize| -> Vec<Tick> {
-        let powers = (first..=last).filter(|power| power.unsigned_abs() as usize % every == 0);
+    let within = |digits: &[f64], every: u32| -> Vec<Tick> {
+        let powers = (first..=last).filter(|power| power.unsigned_abs().is_multiple_of(every));
         let all = powers.flat_map(|power| digits.iter().map(move |digit| digit * 10_f64.powi(power)));
         room.fitting(
             range,
