@@ -3,8 +3,9 @@
 use std::hint::black_box;
 use std::sync::Arc;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::edits::Edited;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
@@ -64,18 +65,25 @@ fn whole(criterion: &mut Criterion) {
     let Some(scenario) = navion() else { return };
     // Both planes from coefficients, with levels; then what the sliders of a page would do.
     criterion.bench_function("navion/analyse", |bench| bench.iter(|| black_box(&scenario).analyse()));
-    let Ok(analysis) = scenario.analyse() else { return };
-    if let Some(Ok(plane)) = &analysis.planes[scenario.plane] {
-        criterion.bench_function("navion/sensitivities", |bench| {
-            bench.iter(|| black_box(&scenario).sensitivities(plane, Page::Coefficients));
+    criterion.bench_function("navion/sensitivities", |bench| {
+        let analysed = || {
+            let findings = Findings::of(scenario.clone());
+            assert!(findings.is_analysed() || findings.plane().is_some());
+            findings
+        };
+        bench.iter_batched(
+            analysed,
+            |findings| findings.sensitivities(Page::Coefficients).len(),
+            BatchSize::SmallInput,
+        );
+    });
+    // A pole under the hand, by the way through coefficients: near, and far beyond what the sliders can do.
+    let findings = Findings::of(scenario);
+    let Some(mode) = findings.modes().first() else { return };
+    for (name, turn) in [("near", Complex::new(1.1, 0.05)), ("beyond", Complex::new(4.0, 1.0))] {
+        criterion.bench_function(&format!("navion/drag_a_pole_{name}"), |bench| {
+            bench.iter(|| findings.place_pole(mode, mode.lambda * turn, &["cm_alpha", "cm_q"]));
         });
-        // A pole under the hand, by the way through coefficients: near, and far beyond what the sliders can do.
-        let Some(mode) = plane.modes.first() else { return };
-        for (name, turn) in [("near", Complex::new(1.1, 0.05)), ("beyond", Complex::new(4.0, 1.0))] {
-            criterion.bench_function(&format!("navion/drag_a_pole_{name}"), |bench| {
-                bench.iter(|| scenario.place_pole(mode, mode.lambda * turn, &["cm_alpha", "cm_q"]));
-            });
-        }
     }
 }
 

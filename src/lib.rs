@@ -1,12 +1,16 @@
 //! Eigenwing: how an aircraft moves when it is disturbed.
 //!
 //! ```text
-//! assets/aircraft/*.toml ── content ──┐                               ┌─ pole map
-//!                                     ▼                               ├─ mode cards
-//!           slider ───────────────► Scenario ──► flight::analyse ─────┼─ responses
-//!             ▲                    (edited)      (pure) = Analysis    └─ static and dynamic verdict
-//!             └──────────────────────── ui, once a frame ─────────────────┘
+//! assets/aircraft/*.toml ── content ──┐                       ┌─ poles, modes, responses, the aircraft in flight (`ui`)
+//!                                     ▼                       │
+//!           slider ───────────────► Scenario ──► Findings ────┼─ command line, JSON, JavaScript (`export`)
+//!             ▲                    (document)    (derived)    │
+//!             └──────────────── `ui`, once a frame ───────────┘
 //! ```
+//!
+//! A [`Scenario`](scenario::Scenario) is plain data: what is studied. [`Findings`](findings::Findings) are everything that
+//! follows from it, found by the functions of [`flight`] when they are first asked for, and read alike by everything on the right.
+//! Nothing flows from right to left but edits of the scenario.
 //!
 //! | module | in one line | knows nothing of |
 //! |---|---|---|
@@ -14,7 +18,8 @@
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`shape`] | what an aircraft looks like: faces lofted from its geometry, in the order to draw them | files, colours, screens |
 //! | [`content`] | the aircraft that ship with the page, read and checked once; files from elsewhere, as text | egui, web |
-//! | [`scenario`] | what is being studied, the one table of adjustable quantities, and the scene as a link | egui, web |
+//! | [`scenario`] | what is being studied and how it is looked at, the one table of adjustable quantities, and the scene as a link | egui, web |
+//! | [`findings`] | everything that follows from a scenario, each result found once | egui, web |
 //! | [`words`] | sentences for what follows | egui, files |
 //! | [`export`] | what other programs ask and read, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
@@ -44,6 +49,7 @@
 
 pub mod content;
 pub mod export;
+pub mod findings;
 pub mod flight;
 pub mod number;
 pub mod scenario;

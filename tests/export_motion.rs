@@ -116,7 +116,7 @@ fn the_page_on_javascript_tells_the_motion_of_its_example() {
     let page = include_str!("../docs/JAVASCRIPT.md");
     let request = ResponseRequest { nonlinear: true, split: true, ..disturbed_by("elevator", "step") };
     let report = motion("navion", &[("elevator", -0.25)], &request);
-    let peak = report.figures.peak_load_factor.expect("a peak");
+    let peak = report.metrics.peak_load_factor.expect("a peak");
     let told =
         format!("// {{ value, time }}: {:.2} g more, {:.2} s after the step", peak.value, peak.time - 1.0);
     assert!(page.contains(&told), "{told}");
@@ -164,10 +164,10 @@ fn every_aircraft_is_split_and_flown_in_numbers_or_says_why_not() {
 }
 
 #[test]
-fn figures_do_not_depend_on_how_many_samples_are_asked_for() {
+fn metrics_do_not_depend_on_how_many_samples_are_asked_for() {
     let request = |steps| ResponseRequest { steps: Some(steps), ..ResponseRequest::default() };
     let [few, many] = [3, 1200].map(|steps| motion("navion", &[], &request(steps)));
-    assert_eq!(few.figures, many.figures);
+    assert_eq!(few.metrics, many.metrics);
     assert_eq!((few.time.len(), many.time.len()), (4, 1201));
 }
 
@@ -182,40 +182,40 @@ fn a_peak_is_beside_the_largest_sample_and_a_steady_value_is_where_a_long_motion
     let request = ResponseRequest { steps: Some(2400), ..disturbed_by("elevator", "step") };
     let report = motion("navion", &[("time", 300.0)], &request);
     let left = 2_f64.powf(-299.0 / phugoid("navion").time_to_half.expect("it dies away"));
-    for (signal, figures) in report.outputs.iter().zip(&report.figures.outputs) {
-        assert_eq!((signal.name, signal.unit), (figures.name, figures.unit));
-        let peak = figures.peak.expect("a peak");
+    for (signal, metrics) in report.outputs.iter().zip(&report.metrics.outputs) {
+        assert_eq!((signal.name, signal.unit), (metrics.name, metrics.unit));
+        let peak = metrics.peak.expect("a peak");
         let size = largest(&signal.values);
         // Exact between the samples: none is beyond it, and the short period's curve bends by a fiftieth in an eighth of a second.
         assert!(peak.value.abs() >= size * (1.0 - 1e-9), "{}", signal.name);
         let beside = signal.values[(peak.time / 0.125).round() as usize];
         assert!((beside - peak.value).abs() <= 0.02 * size, "{}: {beside} {}", signal.name, peak.value);
         let is_of_path = ["h", "x"].contains(&signal.name);
-        assert_eq!(figures.steady.is_none(), is_of_path, "{}", signal.name);
-        if let Some(steady) = figures.steady {
+        assert_eq!(metrics.steady.is_none(), is_of_path, "{}", signal.name);
+        if let Some(steady) = metrics.steady {
             // What is left of the phugoid after 299 s; it begins no larger than twice the peak.
             let last = signal.values.last().expect("samples");
             assert!((last - steady).abs() < 2.0 * left * size, "{}: {last} and {steady}", signal.name);
         }
     }
-    assert!(report.figures.control_anticipation.is_some() && report.figures.phugoid_swing.is_some());
-    assert_eq!(report.figures.time_to_bank, None);
+    assert!(report.metrics.control_anticipation.is_some() && report.metrics.phugoid_swing.is_some());
+    assert_eq!(report.metrics.time_to_bank, None);
 }
 
 #[test]
 fn turbulence_has_no_first_swing() {
     let request =
         ResponseRequest { disturbance: Some("turbulence".to_owned()), ..ResponseRequest::default() };
-    let figures = motion("navion", &[], &request).figures;
-    assert_eq!(figures.phugoid_swing, None);
-    assert!(figures.peak_load_factor.is_some());
+    let metrics = motion("navion", &[], &request).metrics;
+    assert_eq!(metrics.phugoid_swing, None);
+    assert!(metrics.peak_load_factor.is_some());
 }
 
 #[test]
 fn the_time_to_bank_is_when_the_bank_angle_is_30_degrees() {
     let request = ResponseRequest { steps: Some(1200), ..disturbed_by("aileron", "step") };
     let report = motion("navion", &[("aileron", 0.1), ("time", 6.0)], &request);
-    let time = report.figures.time_to_bank.expect("an aileron that banks") + report.figures.start;
+    let time = report.metrics.time_to_bank.expect("an aileron that banks") + report.metrics.start;
     let bank = values(&report.outputs, "phi");
     let position = time / 0.005;
     let k = position.floor() as usize;
@@ -229,7 +229,7 @@ fn the_time_to_bank_is_when_the_bank_angle_is_30_degrees() {
         ..ResponseRequest::default()
     };
     let released = motion("navion", &[("from_phi", 0.7)], &request);
-    assert_eq!((released.figures.start, released.figures.time_to_bank), (0.0, Some(0.0)));
+    assert_eq!((released.metrics.start, released.metrics.time_to_bank), (0.0, Some(0.0)));
 }
 
 fn of_output(output: &str) -> FrequencyRequest {
@@ -243,8 +243,8 @@ fn at_low_frequency_the_gain_is_the_steady_value_for_one_of_the_input() {
         let request =
             FrequencyRequest { from: Some(1e-5), to: Some(1e-4), points: Some(2), ..of_output(name) };
         let bode = frequency(&Subject::listed("navion"), &request).expect("a frequency response");
-        let figures = step.figures.outputs.iter().find(|figures| figures.name == name).expect("an output");
-        let gain = figures.steady.expect("a steady value") / 0.01;
+        let metrics = step.metrics.outputs.iter().find(|of| of.name == name).expect("an output");
+        let gain = metrics.steady.expect("a steady value") / 0.01;
         // 10⁻⁵ rad/s beside a phugoid of 0.2: the gain differs by the square of their ratio, the phase by the ratio.
         assert!((bode.gain[0] - gain.abs()).abs() < 1e-6 * gain.abs(), "{name}: {} and {gain}", bode.gain[0]);
         let sign = bode.phase[0].cos();

@@ -5,8 +5,9 @@ use std::sync::{Arc, LazyLock};
 use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
 use eigenwing::flight::aircraft::plane::{ByPlane, Plane};
 use eigenwing::flight::motion::outputs::Output;
-use eigenwing::scenario::link::{
-    self, Details, LONGEST, LinkView, Marks, Notice, Opened, Overlays, Pane, Sight, Tab, Viewpoint,
+use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
+use eigenwing::scenario::view::{
+    Camera, Details, FlightView, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
 use eigenwing::scenario::{Dimension, Page, Parameter, Quantity, Scenario, Source, parameters};
 use proptest::prelude::*;
@@ -65,15 +66,20 @@ fn apply(scenario: &mut Scenario, edits: &[Edit]) {
     }
 }
 
+/// In whole degrees and per cent.
+fn camera(azimuth: i16, elevation: i16, distance: i16) -> Camera {
+    let [azimuth, elevation] = [azimuth, elevation].map(|x| f32::from(x).to_radians());
+    Camera::new(azimuth, elevation, f32::from(distance) / 100.0)
+}
+
 prop_compose! {
-    fn viewpoints()(
+    fn cameras()(
         standard in any::<Option<Index>>(),
         azimuth in -180_i16..=180,
         elevation in -29_i16..=90,
         distance in 50_i16..=600,
-    ) -> Viewpoint {
-        let all = [Viewpoint::ThreeQuarter, Viewpoint::Chase, Viewpoint::Side, Viewpoint::Top];
-        standard.map_or(Viewpoint::From { azimuth, elevation, distance }, |standard| *standard.get(&all))
+    ) -> Camera {
+        standard.map_or(camera(azimuth, elevation, distance), |standard| standard.get(&StandardView::ALL).camera())
     }
 }
 
@@ -87,53 +93,58 @@ fn by_plane<T>((longitudinal, lateral): (T, T)) -> ByPlane<T> {
 }
 
 prop_compose! {
-    fn sights()(
+    fn views()(
         shown in (prop::sample::subsequence(Output::of(Plane::Longitudinal), 1..10), prop::sample::subsequence(Output::of(Plane::Lateral), 1..9)),
         usual_shown in any::<bool>(),
         pairs in (outputs(Plane::Longitudinal, 5), outputs(Plane::Lateral, 5)),
         usual_pairs in any::<bool>(),
         flags in any::<[bool; 16]>(),
         pane in prop::option::of(prop::sample::select(&[Pane::Poles, Pane::Aircraft, Pane::Response])),
-        viewpoint in viewpoints(),
+        camera in cameras(),
+        page in any::<Index>(),
+        tab in any::<Index>(),
+        nonlinear in any::<bool>(),
         rate in prop::sample::select(&[0.25, 0.5, 1.0, 2.0, 4.0]),
-    ) -> Sight {
-        let usual = Sight::default();
+    ) -> (View, Index) {
+        let usual = ResponseView::default();
         let portraits = |of: &[Output]| [(of[0], of[1]), (of[2], of[3])];
         let [split, approximations, levels, shape, of_levels, of_books, is_looping, usual_overlays, ..] = flags;
         let [.., body_axes, earth_axes, angles, rates, forces, flow, path, moments] = flags;
         let overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
-        Sight {
+        let response = ResponseView {
+            tab: *tab.get(&Tab::ALL),
+            nonlinear,
             shown: if usual_shown { usual.shown } else { by_plane(shown) },
             split,
             portraits: if usual_pairs { usual.portraits } else { by_plane((portraits(&pairs.0), portraits(&pairs.1))) },
             frequency_of: if usual_pairs { usual.frequency_of } else { by_plane((pairs.0[4], pairs.1[4])) },
+        };
+        let overlays = if usual_overlays { Overlays::default() } else { overlays };
+        let view = View {
+            page: Page::Matrix,
+            maximised: pane,
             marks: Marks { approximations, levels },
             details: Details { shape, levels: of_levels, approximations: of_books },
-            maximised: pane,
-            viewpoint,
-            overlays: if usual_overlays { usual.overlays } else { overlays },
-            rate,
-            is_looping,
-        }
+            response,
+            flight: FlightView { camera, overlays, pace: Pace { rate, is_looping } },
+        };
+        (view, page)
     }
 }
 
 prop_compose! {
     fn scenes()(
         of in any::<Index>(),
-        of_ghost in prop::option::of(any::<Index>()),
+        of_pinned in prop::option::of(any::<Index>()),
         on_scene in edits(40),
-        on_ghost in edits(12),
+        on_pinned in edits(12),
         lateral in any::<bool>(),
         sources in prop::array::uniform2(any::<Index>()),
         shapes in prop::array::uniform4(any::<Index>()),
         modes in prop::array::uniform2(0_usize..4),
-        page in any::<Index>(),
-        tab in any::<Index>(),
-        nonlinear in any::<bool>(),
         follows in any::<bool>(),
-        sight in sights(),
-    ) -> (Scenario, LinkView) {
+        (view, page) in views(),
+    ) -> (Scenario, View, Option<Scenario>) {
         let mut scene = Scenario::new(of.get(&AIRCRAFT).clone());
         apply(&mut scene, &on_scene);
         if lateral && scene.aircraft.plane_notes[Plane::Lateral].is_some() {
@@ -147,14 +158,14 @@ prop_compose! {
             choice.mode = modes[i];
         }
         scene.disturbance.follows = follows;
-        let ghost = of_ghost.map(|of| {
-            let mut ghost = Scenario::new(of.get(&AIRCRAFT).clone());
-            apply(&mut ghost, &on_ghost);
-            Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost }
+        let pinned = of_pinned.map(|of| {
+            let mut pinned = Scenario::new(of.get(&AIRCRAFT).clone());
+            apply(&mut pinned, &on_pinned);
+            Scenario { disturbance: scene.disturbance, plane: scene.plane, ..pinned }
         });
         let pages: Vec<Page> = Page::DERIVATIVES.into_iter().filter(|page| page.is_of(&scene)).collect();
-        let view = LinkView { page: *page.get(&pages), tab: *tab.get(&Tab::ALL), nonlinear, ghost, sight };
-        (scene, view)
+        let view = View { page: *page.get(&pages), ..view };
+        (scene, view, pinned)
     }
 }
 
@@ -162,13 +173,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn every_scene_comes_back_exactly_as_it_was((scene, view) in scenes()) {
-        let link = link::write(&scene, &view);
+    fn every_scene_comes_back_exactly_as_it_was((scene, view, pinned) in scenes()) {
+        let link = link::write(&scene, &view, pinned.as_ref());
         prop_assert!(link.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b"_.-=&".contains(&b)), "{link}");
         let opened = open(&link);
         prop_assert_eq!(&opened.notices, &[], "{}", link);
         prop_assert_eq!(&opened.scenario, &scene, "{}", link);
         prop_assert_eq!(&opened.view, &view, "{}", link);
+        prop_assert_eq!(&opened.pinned, &pinned, "{}", link);
     }
 
     #[test]
@@ -193,7 +205,7 @@ proptest! {
 
 /// Finite, within what may be typed, and itself a scene that a link carries without loss.
 fn assert_sound(opened: &Opened, link: &str) {
-    for scenario in [Some(&opened.scenario), opened.view.ghost.as_ref()].into_iter().flatten() {
+    for scenario in [Some(&opened.scenario), opened.pinned.as_ref()].into_iter().flatten() {
         for p in parameters() {
             let value = p.added(scenario).unwrap_or_else(|| p.get(scenario));
             assert!(value.is_finite(), "{} = {value} from {link}", p.key);
@@ -203,18 +215,19 @@ fn assert_sound(opened: &Opened, link: &str) {
         let sentence = notice.to_string();
         assert!(sentence.ends_with('.') && sentence.chars().count() < 250, "{sentence}");
     }
-    let again = open(&link::write(&opened.scenario, &opened.view));
+    let again = open(&link::write(&opened.scenario, &opened.view, opened.pinned.as_ref()));
     assert_eq!((&again.scenario, &again.view), (&opened.scenario, &opened.view), "{link}");
+    assert_eq!(again.pinned, opened.pinned, "{link}");
     assert_eq!(again.notices, [], "{link}");
 }
 
 /// An aircraft, ten edited numbers, a disturbance, the state before it pinned, and the panes as an instructor sets them.
-fn normal_scene() -> (Scenario, LinkView) {
-    let mut ghost = aircraft("b747-approach");
+fn normal_scene() -> (Scenario, View, Scenario) {
+    let mut pinned = aircraft("b747-approach");
     for (key, value) in [("speed", 92.0), ("cm_alpha", -0.9), ("cn_beta", 0.21)] {
-        set(&mut ghost, key, value);
+        set(&mut pinned, key, value);
     }
-    let mut scene = ghost.clone();
+    let mut scene = pinned.clone();
     for (key, value) in [
         ("speed", 88.5),
         ("altitude", 1200.0),
@@ -232,9 +245,10 @@ fn normal_scene() -> (Scenario, LinkView) {
     scene.plane = Plane::Lateral;
     let choice = &mut scene.disturbance.choices[Plane::Lateral];
     choice.source = Source::Aileron;
-    let ghost = Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost };
-    let usual = Sight::default();
-    let sight = Sight {
+    let pinned = Scenario { disturbance: scene.disturbance, plane: scene.plane, ..pinned };
+    let usual = ResponseView::default();
+    let response = ResponseView {
+        tab: Tab::Phase,
         shown: ByPlane {
             lateral: vec![Output::Sideslip, Output::BankAngle, Output::SideLoad],
             ..usual.shown.clone()
@@ -243,40 +257,47 @@ fn normal_scene() -> (Scenario, LinkView) {
             lateral: [(Output::Sideslip, Output::YawRate), (Output::RollRate, Output::BankAngle)],
             ..usual.portraits
         },
-        marks: Marks { approximations: false, levels: true },
-        details: Details { shape: true, ..Details::default() },
-        viewpoint: Viewpoint::From { azimuth: -40, elevation: 12, distance: 140 },
-        overlays: Overlays { forces: false, rates: true, ..Overlays::default() },
-        rate: 0.5,
         ..usual
     };
-    let view = LinkView { tab: Tab::Phase, ghost: Some(ghost), sight, ..LinkView::of(&scene) };
-    (scene, view)
+    let flight = FlightView {
+        camera: camera(-40, 12, 140),
+        overlays: Overlays { forces: false, rates: true, ..Overlays::default() },
+        pace: Pace { rate: 0.5, ..Pace::default() },
+    };
+    let view = View {
+        marks: Marks { approximations: false, levels: true },
+        details: Details { shape: true, ..Details::default() },
+        response,
+        flight,
+        ..View::of(&scene)
+    };
+    (scene, view, pinned)
 }
 
 #[test]
 fn a_normal_scene_is_shorter_than_500_characters() {
-    let (scene, view) = normal_scene();
-    let link = link::write(&scene, &view);
+    let (scene, view, pinned) = normal_scene();
+    let link = link::write(&scene, &view, Some(&pinned));
     assert!(link.len() < 450, "{}: {link}", link.len());
-    assert_eq!((open(&link).scenario, open(&link).view), (scene, view));
+    assert_eq!((open(&link).scenario, open(&link).view, open(&link).pinned), (scene, view, Some(pinned)));
 }
 
 /// Offsets are differences of numbers that were computed, so they have all their digits.
 #[test]
 fn eight_edits_of_matrix_entries_and_a_pinned_state_are_shorter_than_500_characters() {
     let mut scene = aircraft("navion");
-    let (mut ghost, keys) = (scene.clone(), ["a_uu", "a_wu", "a_qu", "a_uw", "a_ww", "a_qw", "a_wq", "a_qq"]);
+    let (mut pinned, keys) =
+        (scene.clone(), ["a_uu", "a_wu", "a_qu", "a_uw", "a_ww", "a_qw", "a_wq", "a_qq"]);
     for key in keys {
         let value = row(key).get(&scene);
         set(&mut scene, key, 1.1 * value);
     }
     for key in &keys[..4] {
-        let value = row(key).get(&ghost);
-        set(&mut ghost, key, 0.9 * value);
+        let value = row(key).get(&pinned);
+        set(&mut pinned, key, 0.9 * value);
     }
-    let view = LinkView { page: Page::Matrix, ghost: Some(ghost), ..LinkView::of(&scene) };
-    let link = link::write(&scene, &view);
+    let view = View { page: Page::Matrix, ..View::of(&scene) };
+    let link = link::write(&scene, &view, Some(&pinned));
     assert!(link.len() < 500, "{}: {link}", link.len());
     assert_eq!(open(&link).scenario, scene);
 }
@@ -285,7 +306,7 @@ fn eight_edits_of_matrix_entries_and_a_pinned_state_are_shorter_than_500_charact
 fn the_preset_is_nothing_but_its_name() {
     for aircraft in AIRCRAFT.iter() {
         let scene = Scenario::new(aircraft.clone());
-        assert_eq!(link::write(&scene, &LinkView::of(&scene)), format!("v=1&ac={}", aircraft.key));
+        assert_eq!(link::write(&scene, &View::of(&scene), None), format!("v=1&ac={}", aircraft.key));
     }
 }
 
@@ -296,14 +317,14 @@ fn offsets_stay_exact_where_the_flight_cannot_be() {
     set(&mut scene, "a_qq", -1.7);
     set(&mut scene, "speed", 15.0);
     assert!(scene.analyse().is_err(), "the wing can't carry the aircraft at 15 m/s");
-    let opened = open(&link::write(&scene, &LinkView::of(&scene)));
+    let opened = open(&link::write(&scene, &View::of(&scene), None));
     assert_eq!((opened.scenario, opened.notices), (scene, vec![]));
 }
 
 #[test]
 fn the_order_of_a_link_does_not_matter() {
-    let (scene, view) = normal_scene();
-    let link = link::write(&scene, &view);
+    let (scene, view, pinned) = normal_scene();
+    let link = link::write(&scene, &view, Some(&pinned));
     let mut pieces: Vec<&str> = link.split('&').collect();
     for _ in 0..pieces.len() {
         pieces.rotate_left(1);
@@ -357,12 +378,14 @@ fn no_scene_is_too_long_for_a_link() {
             None => p.set(&mut scene, value),
         }
     }
-    let sight = Sight { shown: ByPlane::from_fn(|plane| Output::of(plane).to_vec()), ..Sight::default() };
-    let view = LinkView { ghost: Some(scene.clone()), sight, ..LinkView::of(&scene) };
-    let link = link::write(&scene, &view);
+    let shown = ByPlane::from_fn(|plane| Output::of(plane).to_vec());
+    let response = ResponseView { shown, ..ResponseView::default() };
+    let view = View { response, ..View::of(&scene) };
+    let link = link::write(&scene, &view, Some(&scene));
     assert!(link.len() > 5000, "not the longest: {}", link.len());
     assert!(link.len() <= LONGEST, "{}", link.len());
     let opened = open(&link);
+    assert_eq!(opened.pinned.as_ref(), Some(&scene));
     assert_eq!((opened.scenario, opened.view, opened.notices), (scene, view, vec![]));
 }
 
@@ -389,7 +412,7 @@ fn corpus() -> Vec<Line> {
 fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
     let pinned = key.strip_prefix("pin.");
     let scenario = match pinned {
-        Some(_) => opened.view.ghost.as_ref().expect("a pinned state"),
+        Some(_) => opened.pinned.as_ref().expect("a pinned state"),
         None => &opened.scenario,
     };
     let of_plane = |plane| {
@@ -399,55 +422,72 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
             scenario.disturbance.choices[plane].mode + 1
         )
     };
+    let View { response, flight, .. } = &opened.view;
     let found = match pinned.unwrap_or(key) {
         "ac" => scenario.aircraft.key.clone(),
         "plane" => format!("{:?}", scenario.plane).to_lowercase(),
         "lon" => of_plane(Plane::Longitudinal),
         "lat" => of_plane(Plane::Lateral),
         "page" => opened.view.page.text().to_owned(),
-        "tab" => opened.view.tab.text().to_owned(),
-        "nonlinear" => opened.view.nonlinear.to_string(),
+        "tab" => match response.tab {
+            // As the link has always called it.
+            Tab::Metrics => "Figures".to_owned(),
+            tab => format!("{tab:?}"),
+        },
+        "nonlinear" => response.nonlinear.to_string(),
         "follows" => scenario.disturbance.follows.to_string(),
-        "sight" => format!("{:?}", opened.view.sight == Sight::default()),
+        // Everything but the page of sliders and the tab.
+        "sight" => {
+            let ResponseView { tab, nonlinear, .. } = *response;
+            let usual = View::of(&opened.scenario);
+            let response = ResponseView { tab, nonlinear, ..usual.response };
+            let usual = View { page: opened.view.page, response, ..usual };
+            format!("{:?}", opened.view == usual)
+        }
         "shown" => {
             let keys = |outputs: &Vec<Output>| {
                 outputs.iter().map(|output| Quantity::of(*output).key).collect::<Vec<_>>().join(" ")
             };
-            opened.view.sight.shown.iter().map(keys).collect::<Vec<_>>().join(" / ")
+            response.shown.iter().map(keys).collect::<Vec<_>>().join(" / ")
         }
         "portraits" => {
             let pair = |(across, upward): &(Output, Output)| {
                 format!("{} over {}", Quantity::of(*upward).key, Quantity::of(*across).key)
             };
-            opened.view.sight.portraits.iter().flatten().map(pair).collect::<Vec<_>>().join(" / ")
+            response.portraits.iter().flatten().map(pair).collect::<Vec<_>>().join(" / ")
         }
         "frequency of" => {
-            let keys = opened.view.sight.frequency_of.iter().map(|output| Quantity::of(*output).key);
+            let keys = response.frequency_of.iter().map(|output| Quantity::of(*output).key);
             keys.collect::<Vec<_>>().join(" / ")
         }
-        "split" => opened.view.sight.split.to_string(),
+        "split" => response.split.to_string(),
         "marks" => {
-            let Marks { approximations, levels } = opened.view.sight.marks;
+            let Marks { approximations, levels } = opened.view.marks;
             format!("{approximations} {levels}")
         }
         "details" => {
-            let Details { shape, levels, approximations } = opened.view.sight.details;
+            let Details { shape, levels, approximations } = opened.view.details;
             format!("{shape} {levels} {approximations}")
         }
-        "pane" => format!("{:?}", opened.view.sight.maximised),
-        "camera" => match opened.view.sight.viewpoint {
-            Viewpoint::From { azimuth, elevation, distance } => format!("{azimuth} {elevation} {distance}"),
-            standard => format!("{standard:?}"),
-        },
+        "pane" => format!("{:?}", opened.view.maximised),
+        "camera" => {
+            let Camera { azimuth, elevation, distance } = flight.camera;
+            let standard = StandardView::ALL.into_iter().find(|view| view.camera() == flight.camera);
+            let [azimuth, elevation] = [azimuth, elevation].map(|x| x.to_degrees().round());
+            standard.map_or_else(
+                || format!("{azimuth} {elevation} {}", (100.0 * distance).round()),
+                |standard| format!("{standard:?}"),
+            )
+        }
         "drawn" => {
             let Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments } =
-                opened.view.sight.overlays;
+                flight.overlays;
             let all = [body_axes, earth_axes, angles, rates, forces, flow, path, moments];
             all.map(|on| if on { "1" } else { "0" }).concat()
         }
-        "rate" => opened.view.sight.rate.to_string(),
-        "loop" => opened.view.sight.is_looping.to_string(),
-        "pinned" => opened.view.ghost.is_some().to_string(),
+        "rate" => flight.pace.rate.to_string(),
+        "loop" => flight.pace.is_looping.to_string(),
+        "pinned" => opened.pinned.is_some().to_string(),
         "edited" => scenario.is_edited().to_string(),
         key => {
             let (p, expected) =
@@ -500,8 +540,8 @@ fn the_corpus_has_every_key_and_every_aircraft() {
 
 #[test]
 fn a_damaged_link_opens_what_it_can() {
-    let (scene, view) = normal_scene();
-    let whole = link::write(&scene, &view);
+    let (scene, view, pinned) = normal_scene();
+    let whole = link::write(&scene, &view, Some(&pinned));
     let others = corpus().into_iter().map(|line| line.link.to_owned());
     for (i, link) in [whole].into_iter().chain(others).enumerate() {
         let letters: Vec<char> = link.chars().collect();
@@ -527,7 +567,8 @@ fn a_damaged_link_opens_what_it_can() {
 /// Whatever is left of a scene can be drawn or says why not, and no number of it is infinite.
 #[test]
 fn what_a_damaged_link_opens_can_be_analysed() {
-    let link = link::write(&normal_scene().0, &normal_scene().1);
+    let (scene, view, pinned) = normal_scene();
+    let link = link::write(&scene, &view, Some(&pinned));
     for at in (0..link.len()).step_by(5) {
         let digits = link.replacen(|c: char| c.is_ascii_digit(), "9", at);
         let opened = open(&digits[..at]);

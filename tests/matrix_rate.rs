@@ -124,7 +124,7 @@ fn the_exact_rate_agrees_with_fourth_order_differences() {
         }
         for p in rows(&scenario) {
             let h = 1e-3 * length(&scenario, p);
-            let exact = scenario.matrix_rate(p).expect("a rate");
+            let exact = p.matrix_rate(&scenario.edited, scenario.plane).expect("a rate");
             let slope = slope(&scenario, p, h).expect("a difference");
             assert_same(&scenario, p, &exact, &slope, 2e-9, h);
             compared += 1;
@@ -141,7 +141,7 @@ fn where_a_is_affine_the_rate_is_the_difference_quotient() {
     let coefficient_or_later = |p: &&Parameter| p.page != Page::Coefficients || p.group != Group::Aircraft;
     for scenario in shipped().iter().filter(|scenario| state_matrix(scenario).is_some()) {
         for p in rows(scenario).filter(affine).filter(coefficient_or_later) {
-            let exact = scenario.matrix_rate(p).expect("a rate");
+            let exact = p.matrix_rate(&scenario.edited, scenario.plane).expect("a rate");
             // a tenth of the slider: far beyond what any truncation would forgive
             let h = 0.05 * length(scenario, p);
             let (above, below) = (at(scenario, p, h), at(scenario, p, -h));
@@ -158,7 +158,7 @@ fn an_entry_of_a_moves_itself_alone_and_inputs_move_nothing() {
     let mut entries = 0;
     for scenario in shipped().iter().filter(|scenario| state_matrix(scenario).is_some()) {
         for p in rows(scenario).filter(|p| matches!(p.page, Page::Matrix | Page::Disturbance)) {
-            let rate = scenario.matrix_rate(p).expect("a rate");
+            let rate = p.matrix_rate(&scenario.edited, scenario.plane).expect("a rate");
             let is_entry = p.key.starts_with("a_") || p.key == "g";
             let unit = (0..16).map(|k| entry_rate(k / 4, k % 4)).find(|unit| *unit == rate || -*unit == rate);
             assert_eq!(unit.is_some(), is_entry && p.plane == Some(scenario.plane), "{}: {rate}", p.key);
@@ -192,7 +192,7 @@ fn at_the_edge_of_what_can_be_flown_the_rate_is_that_of_the_side_inside() {
                 continue;
             }
             assert_eq!(at(&edge, p, -h), None);
-            let (exact, slope) = (edge.matrix_rate(p), slope(&edge, p, h));
+            let (exact, slope) = (p.matrix_rate(&edge.edited, edge.plane), slope(&edge, p, h));
             assert_same(&edge, p, &exact.expect("a rate"), &slope.expect("a difference"), 2e-9, h);
             compared += 1;
         }
@@ -206,9 +206,9 @@ fn a_knob_that_cannot_be_turned_has_no_rate() {
     let Study::Coefficients(study) = &mut navion.edited.study else { panic!("the Navion has coefficients") };
     (study.airframe.tail, study.airframe.fin, study.airframe.taper) = (None, None, None);
     for key in ["tail", "fin", "dihedral"] {
-        assert_eq!(navion.matrix_rate(find(key)), None, "{key}");
+        assert_eq!(find(key).matrix_rate(&navion.edited, navion.plane), None, "{key}");
     }
-    assert!(navion.matrix_rate(find("cg")).is_some());
+    assert!(find("cg").matrix_rate(&navion.edited, navion.plane).is_some());
 }
 
 /// dp/dh = −ρ g, at the kink of the temperature too; there the rate is that of the side above.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::analysis::{Motion, STANDARD_GRAVITY};
 use eigenwing::flight::modes::mode::{Mode, modes};
@@ -13,7 +14,7 @@ use eigenwing::flight::motion::inputs::Input;
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::flight::motion::response::{Forced, TimeGrid, respond};
 use eigenwing::flight::motion::response_metrics::{
-    control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_figures, time_to_bank,
+    control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_metrics, time_to_bank,
 };
 use eigenwing::scenario::{START, Scenario, Shape, Source};
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
@@ -216,7 +217,7 @@ fn on_paper(zeta: f64, wn: f64, amplitude: f64) -> (PlaneModel, Vec<Mode>, Force
 fn a_motion_that_creeps_to_its_end_has_no_overshoot() {
     let (model, modes, forced) = on_paper(0.3, 2.0, 0.5);
     let row = Output::ForwardSpeed.row(&model, &forced);
-    let figures = step_figures(&model, &modes, &forced, &row, 1.0, 0.5).expect("figures");
+    let figures = step_metrics(&model, &modes, &forced, &row, 1.0, 0.5).expect("figures");
     assert_eq!(figures.overshoot, 0.0);
     assert!((figures.rise_time.expect("it rises") - 9_f64.ln()).abs() < 1e-9);
     assert!((figures.settling_time - 50_f64.ln()).abs() < 1e-9, "{}", figures.settling_time);
@@ -232,7 +233,7 @@ fn the_figures_of_a_second_order_step_are_the_textbooks() {
     };
     let (model, modes, forced) = on_paper(zeta, wn, 0.5);
     let row = Output::PitchAngle.row(&model, &forced);
-    let figures = step_figures(&model, &modes, &forced, &row, 1.0, 0.5).expect("figures");
+    let figures = step_metrics(&model, &modes, &forced, &row, 1.0, 0.5).expect("figures");
     let expected = (-std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
     assert!((figures.overshoot - expected).abs() < 1e-9, "{} {expected}", figures.overshoot);
     let course = Course::new(&model, &forced, &modes, 20.0);
@@ -270,7 +271,7 @@ fn figures(scenario: &Scenario) -> Vec<(Output, [f64; 2], Option<[f64; 3]>)> {
         let amplitude = motion.forced.forcings[0].input.at(START);
         let steady = steady_output(&modes, &row, &motion.forced, 0, amplitude);
         let figures = steady
-            .and_then(|steady| step_figures(&motion.model, &modes, &motion.forced, &row, START, steady));
+            .and_then(|steady| step_metrics(&motion.model, &modes, &motion.forced, &row, START, steady));
         let of_step = figures.map(|f| [f.rise_time.unwrap_or(-1.0), f.settling_time, f.overshoot]);
         (output, [time, value], of_step)
     };
@@ -483,14 +484,13 @@ fn every_output_of_a_small_nonlinear_flight_is_the_linear_one() {
                 scenario.disturbance.choices[plane].gust_shape = Shape::OneMinusCosine;
                 scenario.disturbance.sizes.times = 1e-3;
                 scenario.disturbance.sizes.time = 8.0;
-                let analysis = scenario.analyse().expect("an analysis");
-                let Some(Ok(analysed)) = &analysis.planes[plane] else { continue };
-                let flight = scenario.fly(analysed).expect("a flight");
+                let findings = Findings::of(scenario);
+                let Some(motion) = findings.motion() else { continue };
+                let flight = findings.flight().and_then(|flight| flight.as_ref().ok()).expect("a flight");
                 assert_eq!(flight.stop, None, "{key} {source:?}");
-                let motion = analysis.motion.as_ref().expect("a motion");
                 for &output in Output::of(plane) {
                     let linear = motion.values(output);
-                    let flown = output.of_flight(&motion.model, &flight);
+                    let flown = output.of_flight(&motion.model, flight);
                     // The integrator's 1e-9 a step, of a path of some kilometres, is the floor: what hardly moves can't be told from it.
                     let floor = match output {
                         Output::Distance | Output::Height | Output::Offset => 3e-5,

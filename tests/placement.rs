@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::{Findings, Obstacle, Placed, PlacementError, by_strength};
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::flight::modes::eigen::eigenvalues;
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::flight::modes::mode_name::ModeName;
-use eigenwing::scenario::{Obstacle, Page, Parameter, PlacementError, Scenario, by_strength, parameters};
+use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
 use nalgebra::Complex;
 
 /// Every aircraft in every plane that it has.
@@ -16,12 +16,8 @@ fn scenarios() -> Vec<Scenario> {
     let aircraft = embedded_aircraft().0.into_iter().map(Arc::new);
     aircraft
         .flat_map(|aircraft| Plane::ALL.map(|plane| Scenario { plane, ..Scenario::new(aircraft.clone()) }))
-        .filter(|scenario| analysed(scenario).is_some())
+        .filter(|scenario| Findings::of(scenario.clone()).plane().is_some())
         .collect()
-}
-
-fn analysed(scenario: &Scenario) -> Option<PlaneAnalysis> {
-    scenario.analyse().ok()?.planes[scenario.plane].as_ref()?.as_ref().ok().cloned()
 }
 
 fn navion(plane: Plane) -> Scenario {
@@ -30,8 +26,12 @@ fn navion(plane: Plane) -> Scenario {
 }
 
 fn mode(scenario: &Scenario, name: ModeName) -> Mode {
-    let modes = analysed(scenario).expect("an analysis").modes;
-    modes.into_iter().find(|mode| mode.naming.name == name).expect("the mode")
+    let findings = Findings::of(scenario.clone());
+    findings.modes().iter().find(|mode| mode.naming.name == name).cloned().expect("the mode")
+}
+
+fn place(scenario: &Scenario, mode: &Mode, to: Complex<f64>, keys: &[&str]) -> Placed {
+    Findings::of(scenario.clone()).place_pole(mode, to, keys).expect("an answer")
 }
 
 fn nearest(scenario: &Scenario, to: Complex<f64>) -> f64 {
@@ -58,15 +58,14 @@ fn the_first_choice_of_derivatives_can_nudge_every_mode_of_every_aircraft() {
     let mut failures = Vec::new();
     let mut tried = 0;
     for scenario in scenarios() {
-        let plane = analysed(&scenario).expect("an analysis");
+        let findings = Findings::of(scenario.clone());
         for page in Page::DERIVATIVES.into_iter().filter(|page| page.is_of(&scenario)) {
-            let rows = scenario.sensitivities(&plane, page);
-            for (i, mode) in plane.modes.iter().enumerate() {
-                let keys = scenario.movers(&plane.modes, i, page, &rows);
+            for (i, mode) in findings.modes().iter().enumerate() {
+                let keys = findings.movers(i, page);
                 assert!(!keys.is_empty(), "{} {page:?} {:?}", scenario.aircraft.key, mode.naming.name);
                 for to in nudges(mode) {
                     tried += 1;
-                    let placed = scenario.place_pole(mode, to, &keys).expect("an answer");
+                    let placed = findings.place_pole(mode, to, &keys).expect("an answer");
                     let what = format!("{} {page:?} {:?} {keys:?}", scenario.aircraft.key, mode.naming.name);
                     if let Some(obstacle) = &placed.obstacle {
                         failures.push(format!("{what}: {obstacle}"));
@@ -91,14 +90,13 @@ fn the_first_choice_of_derivatives_can_nudge_every_mode_of_every_aircraft() {
 #[test]
 fn a_wild_drag_of_any_mode_of_any_aircraft_stays_within_the_sliders_and_is_explained() {
     for scenario in scenarios() {
-        let plane = analysed(&scenario).expect("an analysis");
+        let findings = Findings::of(scenario.clone());
         let page = Page::of(&scenario);
-        let rows = scenario.sensitivities(&plane, page);
-        for (i, mode) in plane.modes.iter().enumerate() {
-            let keys = scenario.movers(&plane.modes, i, page, &rows);
+        for (i, mode) in findings.modes().iter().enumerate() {
+            let keys = findings.movers(i, page);
             for turn in [Complex::new(4.0, 0.0), Complex::new(-2.0, 0.0), Complex::new(0.5, 2.0)] {
                 let to = mode.lambda * turn;
-                let placed = scenario.place_pole(mode, to, &keys).expect("an answer");
+                let placed = findings.place_pole(mode, to, &keys).expect("an answer");
                 let what = format!("{} {:?} to {to}", scenario.aircraft.key, mode.naming.name);
                 for key in &keys {
                     let p = Parameter::find(key).expect("a row");
@@ -130,9 +128,7 @@ fn a_wild_drag_of_any_mode_of_any_aircraft_stays_within_the_sliders_and_is_expla
 fn a_slider_at_its_end_is_named() {
     let scenario = navion(Plane::Longitudinal);
     let short_period = mode(&scenario, ModeName::ShortPeriod);
-    let placed = scenario
-        .place_pole(&short_period, short_period.lambda * 4.0, &["cm_alpha", "cm_q"])
-        .expect("an answer");
+    let placed = place(&scenario, &short_period, short_period.lambda * 4.0, &["cm_alpha", "cm_q"]);
     let Some(Obstacle::Ends(ends)) = &placed.obstacle else { panic!("{:?}", placed.obstacle) };
     assert!(ends.iter().any(|p| p.key == "cm_alpha"));
     for p in ends {
@@ -148,7 +144,7 @@ fn a_pair_dragged_to_the_real_axis_stays_a_pair_and_says_what_it_would_become() 
     let scenario = navion(Plane::Longitudinal);
     let short_period = mode(&scenario, ModeName::ShortPeriod);
     let to = Complex::from(short_period.lambda.re);
-    let placed = scenario.place_pole(&short_period, to, &["cm_alpha", "cm_q"]).expect("an answer");
+    let placed = place(&scenario, &short_period, to, &["cm_alpha", "cm_q"]);
     assert_eq!(placed.obstacle, Some(Obstacle::RealAxis));
     assert!(placed.lambda.im > 0.0 && placed.lambda.im < 0.1 * short_period.lambda.im, "{}", placed.lambda);
 }
@@ -158,8 +154,8 @@ fn a_target_in_the_lower_half_is_that_of_the_conjugate() {
     let scenario = navion(Plane::Longitudinal);
     let short_period = mode(&scenario, ModeName::ShortPeriod);
     let to = short_period.lambda * 1.05;
-    let place = |to| scenario.place_pole(&short_period, to, &["cm_alpha", "cm_q"]).expect("an answer");
-    assert_eq!(place(to).scenario, place(to.conj()).scenario);
+    let at = |to| place(&scenario, &short_period, to, &["cm_alpha", "cm_q"]).scenario;
+    assert_eq!(at(to), at(to.conj()));
 }
 
 #[test]
@@ -167,7 +163,7 @@ fn a_real_root_is_dragged_along_the_real_axis_only() {
     let scenario = navion(Plane::Lateral);
     let roll = mode(&scenario, ModeName::RollSubsidence);
     let to = Complex::new(1.1 * roll.lambda.re, 3.0);
-    let placed = scenario.place_pole(&roll, to, &["croll_p"]).expect("an answer");
+    let placed = place(&scenario, &roll, to, &["croll_p"]);
     assert_eq!((placed.obstacle, placed.lambda.im), (None, 0.0));
     assert!((placed.lambda.re - to.re).abs() < 1e-6);
 }
@@ -178,7 +174,7 @@ fn one_derivative_moves_a_pair_along_one_path() {
     let short_period = mode(&scenario, ModeName::ShortPeriod);
     // M_α moves the short period up and down; σ stays.
     let to = short_period.lambda + Complex::new(0.5, 0.3);
-    let placed = scenario.place_pole(&short_period, to, &["cm_alpha"]).expect("an answer");
+    let placed = place(&scenario, &short_period, to, &["cm_alpha"]);
     let sentence = placed.obstacle.expect("an obstacle").to_string();
     assert!(sentence.starts_with("C_mα alone"), "{sentence}");
 }
@@ -187,8 +183,9 @@ fn one_derivative_moves_a_pair_along_one_path() {
 fn derivatives_that_have_no_part_in_a_mode_or_are_not_there_are_refused() {
     let scenario = navion(Plane::Longitudinal);
     let short_period = mode(&scenario, ModeName::ShortPeriod);
+    let findings = Findings::of(scenario);
     let refusal =
-        |keys: &[&str]| scenario.place_pole(&short_period, short_period.lambda, keys).expect_err("refusal");
+        |keys: &[&str]| findings.place_pole(&short_period, short_period.lambda, keys).expect_err("refusal");
     assert_eq!(refusal(&[]), PlacementError::NothingChosen);
     assert_eq!(refusal(&["no such key"]), PlacementError::NothingChosen);
     let sentence = refusal(&["cm_de", "cn_beta"]).to_string();
@@ -198,12 +195,11 @@ fn derivatives_that_have_no_part_in_a_mode_or_are_not_there_are_refused() {
 #[test]
 fn back_at_the_start_every_derivative_is_what_it_was() {
     for scenario in scenarios() {
-        let plane = analysed(&scenario).expect("an analysis");
+        let findings = Findings::of(scenario.clone());
         let page = Page::of(&scenario);
-        let rows = scenario.sensitivities(&plane, page);
-        for (i, mode) in plane.modes.iter().enumerate() {
-            let keys = scenario.movers(&plane.modes, i, page, &rows);
-            let placed = scenario.place_pole(mode, mode.lambda, &keys).expect("an answer");
+        for (i, mode) in findings.modes().iter().enumerate() {
+            let keys = findings.movers(i, page);
+            let placed = findings.place_pole(mode, mode.lambda, &keys).expect("an answer");
             assert_eq!(placed.scenario, scenario, "{} {:?}", scenario.aircraft.key, mode.naming.name);
         }
     }
@@ -212,9 +208,9 @@ fn back_at_the_start_every_derivative_is_what_it_was() {
 #[test]
 fn the_rows_come_by_strength_and_without_those_that_move_nothing() {
     let scenario = navion(Plane::Longitudinal);
-    let plane = analysed(&scenario).expect("an analysis");
-    let rows = scenario.sensitivities(&plane, Page::Coefficients);
-    let keys = by_strength(&rows, 0);
+    let findings = Findings::of(scenario);
+    let rows = findings.sensitivities(Page::Coefficients);
+    let keys = by_strength(rows, 0);
     let strength = |key: &str| rows.iter().find(|row| row.key == key).expect("a row").strengths[0];
     assert!(keys.windows(2).all(|pair| strength(pair[0]) >= strength(pair[1])));
     assert!(!keys.contains(&"cm_de") && keys.contains(&"cm_alpha"), "{keys:?}");
@@ -229,7 +225,7 @@ fn a_pair_that_would_part_on_the_way_stops_and_no_other_mode_takes_its_place() {
     for to in
         [Complex::new(0.1, 0.01), Complex::new(-0.02, 0.2), Complex::new(0.0, 0.0), Complex::new(-6.0, 0.1)]
     {
-        let placed = scenario.place_pole(&short_period, to, &["cm_alpha", "cm_q"]).expect("an answer");
+        let placed = place(&scenario, &short_period, to, &["cm_alpha", "cm_q"]);
         assert!(placed.obstacle.is_some(), "{to}");
         let now = mode(&placed.scenario, ModeName::ShortPeriod).lambda;
         assert!((now - placed.lambda).norm() < 1e-9, "{to}: {now} {}", placed.lambda);

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::motion::outputs::Output;
-use eigenwing::scenario::{Flown, Parameter, Scenario, Source};
+use eigenwing::scenario::{Parameter, Scenario, Source};
 
 fn scenarios() -> impl Iterator<Item = Scenario> {
     let (aircraft, _) = embedded_aircraft();
@@ -21,9 +22,8 @@ fn in_steady_flight_the_four_forces_are_in_balance() {
             let mut scenario = aircraft.clone();
             let Some(parameter) = Parameter::find(key).filter(|p| p.applies(&scenario)) else { continue };
             parameter.set(&mut scenario, parameter.get(&aircraft) * share);
-            let Ok(analysis) = scenario.analyse() else { continue };
-            let motion = analysis.motion.as_ref().expect("a motion");
-            let flown = Flown { scenario: &scenario, motion, flight: None };
+            let findings = Findings::of(scenario);
+            let Some(flown) = findings.trajectory(false) else { continue };
             let Some(forces) = flown.pose(0.5, 1.0).forces else { continue };
             for axis in 0..3 {
                 let sum: f64 = forces.iter().map(|force| force[axis]).sum();
@@ -39,9 +39,8 @@ fn in_steady_flight_the_four_forces_are_in_balance() {
 fn more_weight_needs_more_lift() {
     let mut scenario = scenarios().next().expect("the Navion");
     let weight = |scenario: &Scenario| {
-        let analysis = scenario.analyse().expect("an analysis");
-        let motion = analysis.motion.as_ref().expect("a motion");
-        let flown = Flown { scenario, motion, flight: None };
+        let findings = Findings::of(scenario.clone());
+        let flown = findings.trajectory(false).expect("a motion");
         let [lift, weight, ..] = flown.pose(0.5, 1.0).forces.expect("coefficients");
         assert!((lift[2] + weight[2]).abs() < 0.02);
         weight.iter().map(|x| x * x).sum::<f64>().sqrt()
@@ -56,9 +55,9 @@ fn more_weight_needs_more_lift() {
 #[test]
 fn before_the_disturbance_it_flies_on_as_trimmed() {
     for scenario in scenarios() {
-        let analysis = scenario.analyse().expect("an analysis");
-        let motion = analysis.motion.as_ref().expect("a motion");
-        let pose = Flown { scenario: &scenario, motion, flight: None }.pose(0.9, 1.0);
+        let findings = Findings::of(scenario);
+        let flown = findings.trajectory(false).expect("a motion");
+        let (pose, motion) = (flown.pose(0.9, 1.0), flown.motion);
         for (place, level) in pose.position.into_iter().zip(pose.steady_position) {
             assert!((place - level).abs() < 1e-9);
         }
@@ -76,12 +75,9 @@ fn the_nonlinear_flight_of_a_small_disturbance_is_seen_in_the_same_place() {
         scenario.plane = plane;
         scenario.disturbance.sizes.times = 0.01;
         scenario.disturbance.sizes.time = 10.0;
-        let analysis = scenario.analyse().expect("an analysis");
-        let analysed = analysis.planes[plane].as_ref().expect("data").as_ref().expect("modes");
-        let flight = scenario.fly(analysed).expect("a flight");
-        let motion = analysis.motion.as_ref().expect("a motion");
-        let linear = Flown { scenario: &scenario, motion, flight: None };
-        let nonlinear = Flown { flight: Some(&flight), ..linear };
+        let findings = Findings::of(scenario.clone());
+        assert!(findings.flight().is_some_and(Result::is_ok));
+        let [linear, nonlinear] = [false, true].map(|on| findings.trajectory(on).expect("a motion"));
         for t in [0.0, 1.03, 3.333, 9.99] {
             let (a, b) = (linear.pose(t, 1.0), nonlinear.pose(t, 1.0));
             for (a, b) in
@@ -99,15 +95,13 @@ fn one_mode_alone_is_exaggerated_by_the_stated_round_factor_and_nothing_else_is(
         for plane in Plane::ALL {
             let mut scenario = aircraft.clone();
             scenario.plane = plane;
-            let usual = scenario.analyse().expect("an analysis");
-            if let Some(motion) = &usual.motion {
-                assert_eq!(Flown { scenario: &scenario, motion, flight: None }.exaggeration(), 1.0);
+            if let Some(usual) = Findings::of(scenario.clone()).trajectory(false) {
+                assert_eq!(usual.exaggeration(), 1.0);
             }
             scenario.disturbance.choices[plane].source = Source::OneMode;
             scenario.disturbance.sizes.mode = 0.01;
-            let analysis = scenario.analyse().expect("an analysis");
-            let Some(motion) = &analysis.motion else { continue };
-            let flown = Flown { scenario: &scenario, motion, flight: None };
+            let findings = Findings::of(scenario);
+            let Some(flown) = findings.trajectory(false) else { continue };
             let factor = flown.exaggeration();
             let output = if plane == Plane::Longitudinal { Output::AngleOfAttack } else { Output::Sideslip };
             let [once, large] = [1.0, factor].map(|factor| {
@@ -129,9 +123,8 @@ fn damping_moments_act_against_the_rates_they_damp() {
     let mut scenario = scenarios().next().expect("the Navion");
     scenario.plane = Plane::Lateral;
     scenario.disturbance.choices.lateral.source = Source::OneMode;
-    let analysis = scenario.analyse().expect("an analysis");
-    let motion = analysis.motion.as_ref().expect("a motion");
-    let flown = Flown { scenario: &scenario, motion, flight: None };
+    let findings = Findings::of(scenario);
+    let flown = findings.trajectory(false).expect("a motion");
     for t in [0.1, 0.7, 1.3] {
         let pose = flown.pose(t, 1.0);
         for moment in flown.moments(t).iter().filter(|moment| moment.damps) {

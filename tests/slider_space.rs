@@ -4,8 +4,8 @@ use std::cell::Cell;
 use std::sync::{Arc, LazyLock};
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
 use eigenwing::words;
@@ -59,13 +59,14 @@ fn the_analysis_is_total_and_finite() {
                 continue;
             }
             scenario.plane = plane;
+            let findings = Findings::of(scenario.clone());
             planes.set(planes.get() + 1);
-            match scenario.analyse() {
+            match findings.analysis() {
                 Err(error) => prop_assert!(error.to_string().len() > 20),
                 Ok(analysis) => {
-                    if let Some(Ok(of_plane)) = &analysis.planes[plane] {
+                    if findings.plane().is_some() {
                         analysed.set(analysed.get() + 1);
-                        assert_whole(&scenario, of_plane)?;
+                        assert_whole(&findings)?;
                     }
                     let states = analysis.motion.iter().flat_map(|motion| &motion.response.states);
                     prop_assert!(states.flat_map(|x| x.iter()).all(|x| x.is_finite()));
@@ -80,17 +81,18 @@ fn the_analysis_is_total_and_finite() {
 }
 
 /// All four roots, and finite numbers in all that follows from them.
-fn assert_whole(scenario: &Scenario, of_plane: &PlaneAnalysis) -> Result<(), TestCaseError> {
+fn assert_whole(findings: &Findings) -> Result<(), TestCaseError> {
+    let Some(of_plane) = findings.plane() else { return Ok(()) };
     let roots: usize = of_plane.modes.iter().map(|mode| if mode.is_oscillatory() { 2 } else { 1 }).sum();
     prop_assert_eq!(roots, 4);
     prop_assert!(of_plane.modes.iter().flat_map(numbers).all(f64::is_finite));
     for verdict in &of_plane.levels {
         prop_assert!(!words::verdict::sentence(verdict).contains("NaN"));
     }
-    for row in scenario.sensitivities(of_plane, Page::Coefficients) {
+    for row in findings.sensitivities(Page::Coefficients) {
         prop_assert!(row.strengths.iter().flatten().all(|x| x.is_finite()), "{}", row.key);
     }
-    let path = scenario.locus(Parameter::find("a_ww").expect("a row"));
+    let path = findings.locus(Parameter::find("a_ww").expect("a row"));
     let mut poles = path.samples.iter().filter_map(|s| s.poles).flatten();
     prop_assert!(poles.all(|l| l.re.is_finite() && l.im.is_finite()));
     Ok(())

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::flight::analysis::PlaneAnalysis;
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::scenario::{Parameter, Scenario, Shape, Source};
@@ -17,19 +17,14 @@ fn aircraft(key: &str) -> Scenario {
     scenarios().find(|scenario| scenario.aircraft.key == key).expect("an aircraft of the list")
 }
 
-/// What follows for the plane on screen.
-fn analysed(scenario: &Scenario) -> PlaneAnalysis {
-    let analysis = scenario.analyse().expect("an analysis");
-    analysis.planes[scenario.plane].clone().expect("the plane").expect("its analysis")
+/// The period of a mode that oscillates \[s\].
+fn period(scenario: &Scenario, name: ModeName) -> Option<f64> {
+    let findings = Findings::of(scenario.clone());
+    findings.modes().iter().find(|mode| mode.naming.name == name).and_then(Mode::period)
 }
 
-fn mode(analysed: &PlaneAnalysis, name: ModeName) -> &Mode {
-    analysed.modes.iter().find(|mode| mode.naming.name == name).expect("the mode")
-}
-
-fn followed(mut scenario: Scenario) -> f64 {
-    scenario.follow(&analysed(&scenario));
-    scenario.disturbance.sizes.time
+fn time_shown(scenario: &Scenario) -> f64 {
+    Findings::of(scenario.clone()).time_shown()
 }
 
 fn set(scenario: &mut Scenario, key: &str, value: f64) {
@@ -45,8 +40,8 @@ fn with_time(mut scenario: Scenario, time: f64) -> Scenario {
 fn the_page_opens_with_a_minute_and_the_navions_phugoid_in_it() {
     let scenario = aircraft("navion");
     assert!(scenario.disturbance.follows);
-    assert_eq!(followed(scenario.clone()), 60.0);
-    let period = mode(&analysed(&scenario), ModeName::Phugoid).period().expect("a period");
+    assert_eq!(time_shown(&scenario), 60.0);
+    let period = period(&scenario, ModeName::Phugoid).expect("a period");
     assert!((1.5..3.0).contains(&(60.0 / period)), "a phugoid of {period} s");
 }
 
@@ -55,13 +50,9 @@ fn the_page_opens_with_a_minute_and_the_navions_phugoid_in_it() {
 fn after_an_elevator_step_the_phugoid_is_seen_whatever_the_time_before() {
     let mut seen = 0;
     for scenario in scenarios() {
-        let analysed = analysed(&scenario);
-        let phugoid = analysed.modes.iter().find(|mode| mode.naming.name == ModeName::Phugoid);
-        let Some(period) = phugoid.and_then(Mode::period) else { continue };
+        let Some(period) = period(&scenario, ModeName::Phugoid) else { continue };
         for before in [2.0, 30.0, 60.0, 300.0] {
-            let mut scenario = with_time(scenario.clone(), before);
-            scenario.follow(&analysed);
-            let time = scenario.disturbance.sizes.time;
+            let time = time_shown(&with_time(scenario.clone(), before));
             // 240 s are the most that a mode is given.
             let least = (1.5 * period).min(150.0);
             let key = &scenario.aircraft.key;
@@ -80,10 +71,10 @@ fn after_an_elevator_step_the_phugoid_is_seen_whatever_the_time_before() {
 fn a_mode_that_the_disturbance_hardly_excites_does_not_lengthen_the_time() {
     let mut scenario = aircraft("navion");
     scenario.plane = Plane::Lateral;
-    let after_rudder = followed(scenario.clone());
+    let after_rudder = time_shown(&scenario);
     scenario.disturbance.choices.lateral.source = Source::Release;
-    let after_release = followed(scenario.clone());
-    let period = mode(&analysed(&scenario), ModeName::DutchRoll).period().expect("a period");
+    let after_release = time_shown(&scenario);
+    let period = period(&scenario, ModeName::DutchRoll).expect("a period");
     assert!(after_release < 4.0 * period, "{after_release} s, Dutch roll of {period} s");
     assert!(after_rudder > 3.0 * after_release, "{after_rudder} s and {after_release} s");
 }
@@ -95,7 +86,7 @@ fn the_disturbance_is_seen_to_its_end() {
         let mut scenario = aircraft("navion");
         scenario.disturbance.choices.longitudinal.control_shape = Shape::Sine;
         set(&mut scenario, "lasting", lasting);
-        let time = followed(with_time(scenario, 2.0));
+        let time = time_shown(&with_time(scenario, 2.0));
         assert!(time >= lasting.min(299.0) && time <= 300.0, "{time} s of {lasting} s");
     }
 }
@@ -104,11 +95,11 @@ fn the_disturbance_is_seen_to_its_end() {
 fn following_twice_changes_nothing() {
     for scenario in scenarios() {
         for plane in Plane::ALL {
-            let mut scenario = Scenario { plane, ..scenario.clone() };
+            let scenario = Scenario { plane, ..scenario.clone() };
             if scenario.aircraft.plane_notes[plane].is_some() {
-                scenario.follow(&analysed(&scenario));
-                let settled = scenario.disturbance.sizes.time;
-                assert_eq!(followed(scenario.clone()), settled, "{} {plane:?}", scenario.aircraft.key);
+                let settled = time_shown(&scenario);
+                let scenario = with_time(scenario, settled);
+                assert_eq!(time_shown(&scenario), settled, "{} {plane:?}", scenario.aircraft.key);
             }
         }
     }
@@ -125,16 +116,14 @@ fn while_a_slider_goes_and_comes_back_the_time_changes_once_each_way_at_most() {
                 continue;
             }
             let mut scenario = Scenario { plane, ..aircraft.clone() };
-            scenario.follow(&analysed(&scenario));
+            scenario.disturbance.sizes.time = time_shown(&scenario);
             let reference = speed.get(&scenario);
             let mut changes = 0;
             for step in (0..=10).chain((0..10).rev()) {
                 speed.set(&mut scenario, reference * (1.0 - 0.01 * f64::from(step)));
-                // Beyond what the source says of the air there is nothing to follow.
-                let Ok(analysis) = scenario.analyse() else { continue };
-                let Some(Ok(analysed)) = &analysis.planes[plane] else { continue };
+                // Beyond what the source says of the air there is nothing to follow: the time stays.
                 let before = scenario.disturbance.sizes.time;
-                scenario.follow(analysed);
+                scenario.disturbance.sizes.time = time_shown(&scenario);
                 changes += usize::from(scenario.disturbance.sizes.time != before);
             }
             assert!(changes <= 2, "{} {plane:?}: {changes} changes", scenario.aircraft.key);
@@ -150,9 +139,9 @@ fn a_time_that_is_set_stays() {
     let mut scenario = aircraft("b747-approach");
     set(&mut scenario, "time", 12.0);
     assert!(!scenario.disturbance.follows);
-    assert_eq!(followed(scenario.clone()), 12.0);
+    assert_eq!(time_shown(&scenario), 12.0);
     scenario.disturbance.follows = true;
-    assert!(followed(scenario) > 60.0);
+    assert!(time_shown(&scenario) > 60.0);
 }
 
 /// The lesson's matrices have no throttle: nothing moves, so nothing says how long to look.
@@ -160,6 +149,6 @@ fn a_time_that_is_set_stays() {
 fn where_nothing_moves_the_time_stays() {
     let mut scenario = aircraft("lesson");
     scenario.disturbance.choices.longitudinal.source = Source::Throttle;
-    assert_eq!(scenario.time_to_see(&analysed(&scenario)), None);
-    assert_eq!(followed(with_time(scenario, 7.0)), 7.0);
+    assert_eq!(Findings::of(scenario.clone()).time_to_see(), None);
+    assert_eq!(time_shown(&with_time(scenario, 7.0)), 7.0);
 }

@@ -14,7 +14,7 @@ use eigenwing::words;
 use page::{PHONE, TABLET, WIDE, app, choose, open, page, type_into, value};
 
 fn analysis(harness: &page::Page) -> &PlaneAnalysis {
-    app(harness).plane().expect("an analysis of the plane on screen")
+    app(harness).findings().plane().expect("an analysis of the plane on screen")
 }
 
 /// The rows of a page that the aircraft on screen has.

@@ -7,11 +7,11 @@ use egui::{Event, Key, Modifiers, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::content::shapes::embedded_shape;
+use eigenwing::scenario::view::{FlightView, Overlays, Pace, StandardView};
 use eigenwing::shape::{Deflections, Model, Shape};
 use eigenwing::ui::App;
 use eigenwing::ui::aircraft::{
-    AircraftView, Attitude, Axis, Figures, Forces, Moment, Overlays, Picture, Playback, StandardView,
-    transport_ui,
+    AircraftView, Attitude, Axis, Figures, Forces, Moment, Picture, Playback, transport_ui,
 };
 
 /// Built once.
@@ -23,7 +23,8 @@ static NAVION: LazyLock<(Shape, Model)> = LazyLock::new(|| {
 
 struct Pane {
     attitude: Attitude,
-    view: AircraftView,
+    picture: AircraftView,
+    view: FlightView,
     playback: Playback,
     is_installed: bool,
     is_one_mode: bool,
@@ -31,8 +32,9 @@ struct Pane {
 
 impl Pane {
     fn new(attitude: Attitude) -> Self {
-        let (view, playback) = (AircraftView::default(), Playback::new(60.0));
-        Self { attitude, view, playback, is_installed: false, is_one_mode: false }
+        let view = FlightView { pace: Pace { rate: 1.0, is_looping: false }, ..FlightView::default() };
+        let (picture, playback) = (AircraftView::default(), Playback::new(60.0));
+        Self { attitude, picture, view, playback, is_installed: false, is_one_mode: false }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui) {
@@ -68,9 +70,9 @@ impl Pane {
             is_one_mode: self.is_one_mode,
             note: Some("Phugoid alone, 8 × as large as it is"),
         };
-        self.view.toolbar_ui(ui);
-        transport_ui(ui, &mut self.playback);
-        self.view.show(ui, &picture);
+        self.picture.toolbar_ui(ui, &mut self.view);
+        transport_ui(ui, &mut self.playback, &mut self.view.pace);
+        self.picture.show(ui, &mut self.view, &picture);
     }
 }
 
@@ -170,12 +172,12 @@ fn the_playback_is_worked_by_name_and_by_keyboard() {
     harness.get_by_label("Back to the start").click();
     harness.get_by_label("Begin again at the end").click();
     harness.run();
-    assert_eq!((harness.state().playback.time, harness.state().playback.is_looping), (0.0, true));
+    assert_eq!((harness.state().playback.time, harness.state().view.pace.is_looping), (0.0, true));
     harness.get_by_role_and_label(Role::ComboBox, "Speed of the playback").click();
     harness.run();
     harness.get_by_label("¼×").click();
     harness.run();
-    assert_eq!(harness.state().playback.rate, 0.25);
+    assert_eq!(harness.state().view.pace.rate, 0.25);
 }
 
 #[test]
@@ -257,7 +259,8 @@ fn one_mode_alone_is_drawn_without_the_forces_unless_a_person_chose_them() {
 fn who_looks_without_forces_does_so_after_a_mode_was_flown_too() {
     let mut harness = pane(BANKED);
     let overlays = Overlays { forces: false, ..Overlays::default() };
-    harness.state_mut().view.choose(overlays);
+    harness.state_mut().view.overlays = overlays;
+    harness.state_mut().picture.keep_overlays();
     harness.run();
     for is_one_mode in [true, false] {
         harness.state_mut().is_one_mode = is_one_mode;

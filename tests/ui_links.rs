@@ -91,12 +91,12 @@ fn the_key_copies_except_while_a_person_types() {
 fn a_link_opens_its_scene_and_undo_goes_back() {
     let mut harness = page(WIDE);
     let before = app(&mut harness).scenario().clone();
-    let poles = app(&mut harness).plane().expect("an analysis").modes[0].lambda;
+    let poles = app(&mut harness).findings().plane().expect("an analysis").modes[0].lambda;
     let link =
         "v=1&ac=b747-approach&cn_beta=0.2&plane=lat&lat.source=aileron&page=matrix&tab=figures&pin.ac=navion";
     open(&mut harness, link);
     assert_eq!(app(&mut harness).scenario().plane, Plane::Lateral);
-    assert_ne!(app(&mut harness).plane().expect("an analysis").modes[0].lambda, poles);
+    assert_ne!(app(&mut harness).findings().plane().expect("an analysis").modes[0].lambda, poles);
     assert_eq!(value(&mut harness, "cn_beta"), 0.2);
     harness.get_by_label_contains("pinned: Navion");
     assert_eq!(harness.query_all_by_label("Dismiss").count(), 0);

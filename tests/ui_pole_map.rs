@@ -16,7 +16,7 @@ use page::{PHONE, Page, WIDE, app, page, value};
 const SHORT_PERIOD: &str = "−2.510 ± 2.592j 1/s";
 
 fn mode(harness: &Page, name: ModeName) -> Mode {
-    let modes = &app(harness).plane().expect("an analysis").modes;
+    let modes = &app(harness).findings().plane().expect("an analysis").modes;
     modes.iter().find(|mode| mode.naming.name == name).expect("the mode").clone()
 }
 
@@ -184,7 +184,7 @@ fn on_every_page_and_plane_the_first_pole_can_be_dragged() {
         for page in ["Coefficients", "Dimensional", "Matrix"] {
             harness.get_by_label(page).click();
             harness.run();
-            let name = app(&harness).plane().expect("an analysis").modes[0].naming.name;
+            let name = app(&harness).findings().plane().expect("an analysis").modes[0].naming.name;
             let before = mode(&harness, name).lambda;
             let from = pole(&harness, words::mode::title(name));
             drag(&mut harness, from, Vec2::new(-6.0, -8.0));
@@ -223,7 +223,7 @@ fn every_mode_can_be_reached_by_keyboard_once() {
     for plane in ["Lateral–directional", "Longitudinal"] {
         harness.get_by_label(plane).click();
         harness.run();
-        for mode in &app(&harness).plane().expect("an analysis").modes {
+        for mode in &app(&harness).findings().plane().expect("an analysis").modes {
             let name = format!("{} pole, ", words::mode::title(mode.naming.name));
             assert_eq!(harness.query_all_by_label_contains(&name).count(), 1, "{name}");
         }
@@ -276,7 +276,7 @@ fn an_approximation_is_marked_on_request_and_tells_its_formula_and_error() {
     let mut harness = page(WIDE);
     // In notation, and as it is set.
     let (notation, formula) = ("ωₙ² = −Z_u g/V,  ζ = −X_u/(2ωₙ)", "ωₙ² = −Zu g/V,  ζ = −Xu/(2ωₙ)");
-    let plane = app(&harness).plane().expect("an analysis");
+    let plane = app(&harness).findings().plane().expect("an analysis");
     let approximation = plane
         .approximations
         .iter()

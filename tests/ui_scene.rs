@@ -85,7 +85,7 @@ fn a_typed_time_stays_until_auto_is_pressed_and_undo_takes_back_both() {
     pause(&mut harness);
     assert!(follows(&mut harness));
     let period = {
-        let modes = &app(&mut harness).plane().expect("an analysis").modes;
+        let modes = &app(&mut harness).findings().plane().expect("an analysis").modes;
         modes.iter().filter_map(|mode| mode.period()).fold(0.0, f64::max)
     };
     let shown = time(&mut harness);
@@ -204,7 +204,7 @@ fn a_mode_is_flown_on_where_its_place_changes() {
     let mut harness = page("v=1&ac=navion&lon.source=mode&lon.mode=2&pin.ac=navion");
     let name = |harness: &mut Page| {
         let choice = app(harness).scenario().disturbance.choices.longitudinal;
-        app(harness).plane().expect("an analysis").modes[choice.mode].naming.name
+        app(harness).findings().plane().expect("an analysis").modes[choice.mode].naming.name
     };
     assert_eq!(name(&mut harness), ModeName::Phugoid);
     let curve = |harness: &Page| {
@@ -215,7 +215,7 @@ fn a_mode_is_flown_on_where_its_place_changes() {
     let before = curve(&harness);
     harness.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").set_value_accesskit(-0.05);
     harness.run_steps(3);
-    assert_eq!(app(&mut harness).plane().expect("an analysis").modes.len(), 3);
+    assert_eq!(app(&mut harness).findings().plane().expect("an analysis").modes.len(), 3);
     assert_eq!(name(&mut harness), ModeName::Phugoid);
     assert_ne!(curve(&harness), before);
     press(&mut harness, "Reset pitch stiffness C_mα");

@@ -2,8 +2,9 @@
 
 use super::plane::input_names;
 use super::subject::{ExportError, nearest, plane_name};
+use crate::findings::{Findings, Problem};
+use crate::flight::Channel;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::{Analysis, Channel};
 use crate::scenario::{Scenario, Shape, Source};
 use crate::words;
 
@@ -107,12 +108,12 @@ pub(super) fn choose_mode(
             None => Ok(None),
         };
     }
-    let analysis = scenario.analyse()?;
-    let Some(Ok(of_plane)) = &analysis.planes[scenario.plane] else {
-        return Err(no_motion(scenario, &analysis));
-    };
+    let findings = Findings::of(scenario.clone());
+    if findings.plane().is_none() {
+        return Err(no_motion(&findings));
+    }
     let names: Vec<&'static str> =
-        of_plane.modes.iter().map(|mode| words::mode::title(mode.naming.name)).collect();
+        findings.modes().iter().map(|mode| words::mode::title(mode.naming.name)).collect();
     let choice = &mut scenario.disturbance.choices[scenario.plane];
     if let Some(name) = name {
         choice.mode = names.iter().position(|known| known.eq_ignore_ascii_case(name)).ok_or_else(|| {
@@ -124,10 +125,13 @@ pub(super) fn choose_mode(
 }
 
 /// Error of a scenario without motion: the plane has no data, or its data no model.
-pub(super) fn no_motion(scenario: &Scenario, analysis: &Analysis) -> ExportError {
-    match &analysis.planes[scenario.plane] {
-        Some(Err(error)) => error.clone().into(),
-        _ => ExportError::NoPlane { aircraft: scenario.aircraft.key.clone(), plane: scenario.plane },
+pub(super) fn no_motion(findings: &Findings) -> ExportError {
+    let scenario = findings.scenario();
+    match findings.problem() {
+        Some(Problem::Analysis(error)) => error.into(),
+        Some(Problem::NoData) | None => {
+            ExportError::NoPlane { aircraft: scenario.aircraft.key.clone(), plane: scenario.plane }
+        }
     }
 }
 

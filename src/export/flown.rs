@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use super::signal::Signal;
-use crate::flight::Experiment;
-use crate::flight::analysis::PlaneAnalysis;
-use crate::flight::motion::experiment::fly;
+use crate::flight::aircraft::plane::PlaneModel;
+use crate::flight::motion::flight_path::FlightPath;
 use crate::flight::motion::outputs::Output;
-use crate::scenario::Scenario;
+use crate::flight::motion::response::TimeGrid;
+use crate::flight::motion::six_dof::SixDofError;
 
 /// A nonlinear flight, or why there is none.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,17 +46,16 @@ pub struct StopReport {
 }
 
 impl FlightOutcome {
-    pub(super) fn of(scenario: &Scenario, analysed: &PlaneAnalysis, experiment: &Experiment) -> Self {
-        let flight = match fly(&scenario.edited, &analysed.model, &analysed.modes, experiment) {
+    /// The flight as it is told, at the times of `grid`; `model` is the linear one.
+    pub(super) fn of(flight: Result<FlightPath, SixDofError>, model: &PlaneModel, grid: TimeGrid) -> Self {
+        let flight = match flight {
             Ok(flight) => flight,
             Err(error) => return Self::Refused { error: error.to_string() },
         };
-        let outputs = Output::of(experiment.plane).iter();
+        let outputs = Output::of(model.plane).iter();
         Self::Flown(FlightReport {
-            time: (0..flight.samples.len()).map(|k| experiment.grid.time(k)).collect(),
-            outputs: outputs
-                .map(|&output| Signal::of(output, output.of_flight(&analysed.model, &flight)))
-                .collect(),
+            time: (0..flight.samples.len()).map(|k| grid.time(k)).collect(),
+            outputs: outputs.map(|&output| Signal::of(output, output.of_flight(model, &flight))).collect(),
             stop: flight.stop.map(|stop| StopReport { time: stop.time, sentence: stop.to_string() }),
         })
     }

@@ -8,20 +8,15 @@ use super::aircraft::AircraftReport;
 use super::disturbance::{DISTURBANCES, channel_name, choose_disturbance, named, no_motion};
 use super::subject::{ExportError, Subject, plane_name};
 use super::sweep::MOST_POINTS;
+use crate::findings::{Findings, FrequencyResponse};
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::motion::frequency_response::{
-    FrequencyPoint, Peak, frequency_range, frequency_response, peaks,
-};
+use crate::flight::motion::frequency_response::Peak;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::{Quantity, Source};
 use crate::words;
 
 /// Frequencies \[rad/s\] that are accepted: no motion of an aircraft is beyond them.
 pub const FREQUENCIES: [f64; 2] = [1e-6, 1e6];
-
-/// The response is followed over as many steps at least, however few were asked for, so that no peak and no turn of the phase is
-/// missed between two of them.
-const STEPS_FOLLOWED: usize = 2000;
 
 /// An input, an output, and the frequencies.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -71,8 +66,11 @@ pub struct FrequencyReport {
     pub gain: Vec<f64>,
     /// Phase of G(jω) \[rad\], one a frequency: continuous, and between −π and π at the first.
     pub phase: Vec<f64>,
-    /// Local maxima of the gain in order, with the oscillations that make them.
+    /// Local maxima of the gain in order, with the oscillations that make them; none where a mode grows.
     pub peaks: Vec<GainPeak>,
+    /// Name of a mode that grows: then no steady oscillation ever answers a sine, and the numbers are only the transfer function
+    /// at s = jω. Null where every mode stays.
+    pub growing_mode: Option<&'static str>,
 }
 
 /// A quantity and its unit.
@@ -126,21 +124,11 @@ pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<Freque
     if !(2..=MOST_POINTS).contains(&points) {
         return Err(ExportError::Request(format!("points: expected 2 to {MOST_POINTS}, found {points}")));
     }
-    let analysis = scenario.analyse()?;
-    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, &analysis.planes[plane]) else {
-        return Err(no_motion(&scenario, &analysis));
-    };
-    let range = checked_range(request, frequency_range(&analysed.modes))?;
-
-    let forced = scenario.driven(motion);
-    let row = output.row(&motion.model, &forced);
-    let parts = STEPS_FOLLOWED.div_ceil(points - 1);
-    let followed = frequency_response(&forced, &row, 0, range, (points - 1) * parts + 1);
-    let peaks = peaks(&forced, &row, 0, &followed, &analysed.modes);
-    let mut among = followed.iter();
-    let wanted = frequency_response(&forced, &row, 0, range, points);
-    let response: Vec<&FrequencyPoint> =
-        wanted.iter().filter_map(|point| among.find(|finer| finer.frequency >= point.frequency)).collect();
+    let findings = Findings::of(scenario);
+    let range = checked_range(request, findings.frequency_range())?;
+    let response = findings.frequency_over(output, range, points).ok_or_else(|| no_motion(&findings))?;
+    let scenario = findings.scenario();
+    let FrequencyResponse { points, peaks } = &response;
     let (name, unit) = channel_name(plane, scenario.driven_channel());
     let input = Measured { name, unit };
     let output =
@@ -153,10 +141,11 @@ pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<Freque
         gain_unit: gain_unit(output.unit, input.unit),
         input,
         output,
-        frequency: response.iter().map(|point| point.frequency).collect(),
-        gain: response.iter().map(|point| point.value.norm()).collect(),
-        phase: response.iter().map(|point| point.phase).collect(),
+        frequency: points.iter().map(|point| point.frequency).collect(),
+        gain: points.iter().map(|point| point.value.norm()).collect(),
+        phase: points.iter().map(|point| point.phase).collect(),
         peaks: peaks.iter().map(GainPeak::of).collect(),
+        growing_mode: findings.growing_mode().map(|mode| words::mode::title(mode.naming.name)),
     })
 }
 

@@ -4,12 +4,12 @@
 mod aircraft;
 mod approximation;
 mod disturbance;
-mod figures;
 mod flown;
 mod frequency;
 pub mod json;
 mod level;
 mod list;
+mod metrics;
 mod mode;
 mod plane;
 mod report;
@@ -25,21 +25,22 @@ use serde_json::{Map, Value, json};
 
 use self::plane::{dynamic_word, static_word};
 use self::subject::plane_name;
+use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{Motion, PlaneAnalysis};
 use crate::flight::modes::mode::Mode;
 use crate::flight::{Analysis, AnalysisError};
-use crate::scenario::{Scenario, parameters};
+use crate::scenario::parameters;
 use crate::words;
 
 pub use aircraft::AircraftReport;
 pub use approximation::{ApproximationReport, ValueReport};
 pub use disturbance::{DISTURBANCES, SHAPES};
-pub use figures::{FiguresReport, OutputFigures, PeakReport};
 pub use flown::{FlightOutcome, FlightReport, StopReport};
 pub use frequency::{FREQUENCIES, FrequencyReport, FrequencyRequest, GainPeak, Measured, frequency};
 pub use level::{JudgedReport, LevelReport};
 pub use list::{ParameterReport, list, parameters_of};
+pub use metrics::{MetricsReport, OutputMetricsReport, PeakReport};
 pub use mode::ModeReport;
 pub use plane::{PlaneReport, StaticReport, StiffnessReport, TrimReport};
 pub use report::{PlaneOutcome, Report, Units, analyse};
@@ -52,7 +53,8 @@ pub use sweep::{
 };
 
 /// The scenario and its analysis, SI and radians; an analysis that failed is a sentence.
-pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) -> Value {
+pub fn state(findings: &Findings) -> Value {
+    let scenario = findings.scenario();
     let parameters: Map<String, Value> = parameters()
         .filter(|p| p.applies(scenario))
         .map(|p| (p.key.to_owned(), json!(p.get(scenario))))
@@ -62,7 +64,7 @@ pub fn state(scenario: &Scenario, analysis: &Result<Analysis, AnalysisError>) ->
         "plane": plane_name(scenario.plane),
         "disturbance": scenario.disturbance.choices[scenario.plane].text(),
         "parameters": parameters,
-        "analysis": match analysis {
+        "analysis": match findings.analysis() {
             Ok(analysis) => of_analysis(analysis),
             Err(error) => of_error(error),
         },

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::aircraft::AircraftReport;
 use super::plane::PlaneReport;
 use super::subject::{ExportError, Subject};
+use crate::findings::Findings;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::{Analysis, AnalysisError};
 
@@ -105,11 +106,11 @@ impl PlaneOutcome {
 
 /// Everything that follows for an aircraft as it is set.
 pub fn analyse(subject: &Subject) -> Result<Report, ExportError> {
-    let scenario = subject.scenario()?;
-    let analysis = scenario.analyse()?;
-    let Analysis { margins, gravity, .. } = analysis;
+    let findings = Findings::of(subject.scenario()?);
+    let analysis = findings.analysis().as_ref().map_err(Clone::clone)?;
+    let &Analysis { margins, gravity, .. } = analysis;
     Ok(Report {
-        aircraft: AircraftReport::of(&scenario.aircraft),
+        aircraft: AircraftReport::of(&findings.scenario().aircraft),
         units: Units,
         set: subject.set.iter().cloned().collect(),
         longitudinal: analysis.planes.longitudinal.as_ref().map(PlaneOutcome::of),

@@ -8,15 +8,15 @@ use super::aircraft::AircraftReport;
 use super::disturbance::{
     DISTURBANCES, channel_name, choose_disturbance, choose_mode, choose_shape, no_motion,
 };
-use super::figures::FiguresReport;
 use super::flown::FlightOutcome;
+use super::metrics::MetricsReport;
 use super::signal::Signal;
 use super::split::SplitOutcome;
 use super::subject::{ExportError, Subject, plane_name};
+use crate::findings::Findings;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::MOST_STEPS;
-use crate::flight::{Analysis, Experiment, analyse};
-use crate::scenario::{Scenario, Source};
+use crate::scenario::Source;
 
 /// A disturbance, the number of samples, and the extras that are wanted.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -76,8 +76,9 @@ pub struct ResponseReport {
     pub small_until: Option<f64>,
     /// Time \[s\] of the first sample left out, where the motion had outgrown numbers worth having.
     pub cut_at: Option<f64>,
-    /// Figures of the motion while it is a small disturbance.
-    pub figures: FiguresReport,
+    /// Metrics of the motion while it is a small disturbance.
+    #[serde(rename = "figures")]
+    pub metrics: MetricsReport,
     /// The parts of the modes in each of the outputs; null where they weren't asked for.
     pub split: Option<Vec<SplitOutcome>>,
     /// The same without linearising; null where it wasn't asked for.
@@ -96,18 +97,17 @@ pub fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseR
     let shape = choose_shape(&mut scenario, request.shape.as_deref(), disturbance)?;
     let mode = choose_mode(&mut scenario, request.mode.as_deref(), source)?;
 
-    let of_page = scenario.experiment();
-    let mut experiment = of_page.clone();
-    let own = if source == Source::Turbulence { of_page.grid.steps } else { STEPS };
-    experiment.grid.steps = request.steps.unwrap_or(own);
-    if !(1..=MOST_STEPS).contains(&experiment.grid.steps) {
-        let problem = format!("steps: expected 1 to {MOST_STEPS}, found {}", experiment.grid.steps);
+    let own = if source == Source::Turbulence { scenario.experiment().grid.steps } else { STEPS };
+    let steps = request.steps.unwrap_or(own);
+    if !(1..=MOST_STEPS).contains(&steps) {
+        let problem = format!("steps: expected 1 to {MOST_STEPS}, found {steps}");
         return Err(ExportError::Request(problem));
     }
-    let analysis = analyse(&scenario.edited, None, &experiment)?;
-    let (Some(motion), Some(Ok(analysed))) = (&analysis.motion, &analysis.planes[plane]) else {
-        return Err(no_motion(&scenario, &analysis));
+    let findings = Findings::of(scenario);
+    let (Some(motion), Some(metrics)) = (findings.motion_in(steps), findings.metrics()) else {
+        return Err(no_motion(&findings));
     };
+    let experiment = &motion.experiment;
 
     let time: Vec<f64> = (0..motion.response.states.len()).map(|k| experiment.grid.time(k)).collect();
     let inputs = experiment.inputs.iter().map(|(channel, input)| {
@@ -115,10 +115,11 @@ pub fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseR
         Signal { name, unit, values: time.iter().map(|&t| input.at(t)).collect() }
     });
     let outputs = Output::of(plane).iter().map(|&output| Signal::of(output, motion.values(output)));
-    let split = request.split.then(|| SplitOutcome::of(motion, &analysed.modes));
-    let nonlinear = request.nonlinear.then(|| FlightOutcome::of(&scenario, analysed, &experiment));
+    let split = request.split.then(|| SplitOutcome::of(&motion, findings.modes()));
+    let nonlinear = request.nonlinear.then(|| findings.flight_in(steps)).flatten();
+    let nonlinear = nonlinear.map(|flight| FlightOutcome::of(flight, &motion.model, experiment.grid));
     Ok(ResponseReport {
-        aircraft: AircraftReport::of(&scenario.aircraft),
+        aircraft: AircraftReport::of(&findings.scenario().aircraft),
         set: subject.set.iter().cloned().collect(),
         plane: plane_name(plane),
         disturbance,
@@ -129,28 +130,8 @@ pub fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseR
         time,
         small_until: motion.small_until,
         cut_at: motion.response.cut_at,
-        figures: figures(&scenario, &analysis, &experiment, of_page)?,
+        metrics: MetricsReport::of(metrics),
         split,
         nonlinear,
     })
-}
-
-/// Figures of the motion, read from no fewer samples than the page has, however few were asked for.
-fn figures(
-    scenario: &Scenario,
-    analysis: &Analysis,
-    experiment: &Experiment,
-    of_page: Experiment,
-) -> Result<FiguresReport, ExportError> {
-    let finer;
-    let analysis = if of_page.grid.steps > experiment.grid.steps {
-        finer = analyse(&scenario.edited, None, &of_page)?;
-        &finer
-    } else {
-        analysis
-    };
-    match (&analysis.motion, &analysis.planes[scenario.plane]) {
-        (Some(motion), Some(Ok(analysed))) => Ok(FiguresReport::of(scenario, motion, &analysed.modes)),
-        _ => Err(no_motion(scenario, analysis)),
-    }
 }

@@ -91,17 +91,10 @@ impl Motion {
         output.row(&self.model, &self.forced).of(&self.forced, &self.response).collect()
     }
 
-    /// The same motion with `parts` steps between two samples.
-    pub fn refined(&self, parts: usize) -> Self {
-        let grid = self.experiment.grid;
-        let grid = TimeGrid { steps: grid.steps * parts, ..grid };
-        Self {
-            model: self.model.clone(),
-            experiment: Experiment { grid, ..self.experiment.clone() },
-            forced: self.forced.clone(),
-            response: respond(&self.forced, grid),
-            small_until: self.small_until,
-        }
+    /// How many samples, from the first, are of a small disturbance, and the one after.
+    pub fn small_samples(&self) -> usize {
+        let Response { states, dt, .. } = &self.response;
+        self.small_until.map_or(states.len(), |time| (time / dt).round() as usize + 1)
     }
 
     /// The same split into the parts of the modes of this model.
@@ -183,7 +176,8 @@ fn analyse_plane(
     })
 }
 
-fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -> Motion {
+/// The motion of an analysed plane in an experiment.
+pub fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -> Motion {
     let PlaneAnalysis { model, modes, .. } = disturbed;
     let forced = forced(edited, model, &experiment.inputs, experiment.start, modes);
     let response = respond(&forced, experiment.grid);

@@ -3,14 +3,10 @@
 use super::{Scenario, Source};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::study::Study;
-use crate::flight::analysis::{Motion, PlaneAnalysis};
-use crate::flight::motion::experiment::{fly, forced};
-use crate::flight::motion::flight_path::FlightPath;
 use crate::flight::motion::inputs::Input;
-use crate::flight::motion::response::{Forced, TimeGrid};
-use crate::flight::motion::six_dof::SixDofError;
+use crate::flight::motion::response::TimeGrid;
 use crate::flight::motion::turbulence::{Dryden, Severity};
-use crate::flight::{Channel, Experiment, Start};
+use crate::flight::{Channel, Experiment};
 
 /// Intervals between the samples of a response: one a pixel or finer on a wide screen.
 const STEPS: usize = 1200;
@@ -65,22 +61,11 @@ impl Scenario {
         }
     }
 
-    /// The nonlinear flight through the same, or why there is none. `analysed` is what follows for the plane on screen.
-    pub fn fly(&self, analysed: &PlaneAnalysis) -> Result<FlightPath, SixDofError> {
-        fly(&self.edited, &analysed.model, &analysed.modes, &self.experiment())
-    }
-
     /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of.
     pub fn driven_channel(&self) -> Channel {
         if self.disturbance.choices[self.plane].source == Source::Turbulence {
             return Channel::AirAcross;
         }
         self.disturbance.input(self.plane).map_or(Channel::First, |(channel, _)| channel)
-    }
-
-    /// The equations of a motion, driven by a unit of what disturbs it.
-    pub fn driven(&self, motion: &Motion) -> Forced {
-        let unit = Input::Step { amplitude: 1.0, start: 0.0 };
-        forced(&self.edited, &motion.model, &[(self.driven_channel(), unit)], Start::Rest, &[])
     }
 }

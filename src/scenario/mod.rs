@@ -4,12 +4,9 @@ mod dimension;
 mod disturbance;
 mod experiment;
 pub mod link;
-mod outlook;
 pub mod parameters;
-mod placement;
-mod pose;
 mod quantity;
-mod window;
+pub mod view;
 
 use std::sync::Arc;
 
@@ -21,12 +18,9 @@ use crate::flight::{Analysis, AnalysisError, analyse};
 
 pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
-pub use outlook::RowSensitivity;
 pub use parameters::{Page, Parameter, ValueError, parameters};
-pub use placement::{Obstacle, Placed, PlacementError, by_strength};
-pub use pose::{Flown, MomentArrow, Pose};
 pub use quantity::Quantity;
-pub use window::seen_in;
+pub use view::View;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.
 #[derive(Clone, Debug)]

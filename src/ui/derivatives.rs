@@ -13,11 +13,10 @@ use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use super::{arrow_keys, finger, influence};
 use crate::content::LengthUnit;
-use crate::flight::aircraft::coefficients::Coefficients;
-use crate::flight::modes::mode::Mode;
+use crate::findings::Findings;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
-use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, parameters};
+use crate::scenario::{Page, Parameter, Scenario, parameters};
 
 const SYMBOL_WIDTH: f32 = 52.0;
 const FIELD_WIDTH: f32 = 68.0;
@@ -38,17 +37,6 @@ pub enum Rows {
     Dense,
     /// For fingers, without it.
     Touch,
-}
-
-/// What the sliders would do.
-#[derive(Clone, Copy, Debug)]
-pub struct Outlook<'a> {
-    /// How each slider of the page moves each mode.
-    pub sensitivities: &'a [RowSensitivity],
-    /// The modes.
-    pub modes: &'a [Mode],
-    /// The coefficients in effect, where there are any.
-    pub coefficients: Option<&'a Coefficients>,
 }
 
 /// Which sliders are on screen.
@@ -73,7 +61,7 @@ pub fn derivatives_ui(
     scenario: &mut Scenario,
     Chosen { page, search, asked }: Chosen<'_>,
     rows: Rows,
-    outlook: Outlook<'_>,
+    findings: &Findings,
 ) -> Option<&'static str> {
     ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 7.0;
@@ -113,7 +101,7 @@ pub fn derivatives_ui(
             group_ui(ui, scenario, group, &group_rows);
             for parameter in group_rows {
                 let is_asked = asked == Some(parameter.key);
-                if row_ui(ui, scenario, parameter, rows, outlook, is_asked) {
+                if row_ui(ui, scenario, parameter, rows, findings, is_asked) {
                     touched = Some(parameter.key);
                 }
             }
@@ -231,12 +219,12 @@ struct Row {
 }
 
 impl Row {
-    fn of(scenario: &Scenario, parameter: &'static Parameter, rows: Rows, outlook: Outlook<'_>) -> Self {
+    fn of(scenario: &Scenario, parameter: &'static Parameter, rows: Rows, findings: &Findings) -> Self {
         let length = scenario.aircraft.length_unit;
         let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
         let value = parameter.get(scenario) / in_si;
         let range = parameter.range(scenario);
-        let in_effect = outlook.coefficients.and_then(|c| parameter.in_effect(scenario, c));
+        let in_effect = findings.coefficients().and_then(|c| parameter.in_effect(scenario, c));
         Self {
             parameter,
             name: format!("{} {}", parameter.name, Symbol::parse(parameter.symbol).plain()),
@@ -293,11 +281,12 @@ impl Row {
     }
 
     /// How it moves each mode.
-    fn bars_ui(&self, ui: &mut Ui, outlook: Outlook<'_>) {
+    fn bars_ui(&self, ui: &mut Ui, findings: &Findings) {
         let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
-        if let Some(row) = outlook.sensitivities.iter().find(|row| row.key == self.parameter.key) {
-            influence::paint_bars(ui, row, outlook.modes, bars);
-            response.on_hover_text(influence::words(row, outlook.modes, (self.in_si, self.unit)));
+        let sensitivities = findings.sensitivities(self.parameter.page);
+        if let Some(row) = sensitivities.iter().find(|row| row.key == self.parameter.key) {
+            influence::paint_bars(ui, row, findings.modes(), bars);
+            response.on_hover_text(influence::words(row, findings.modes(), (self.in_si, self.unit)));
         }
     }
 
@@ -319,11 +308,11 @@ fn row_ui(
     scenario: &mut Scenario,
     parameter: &'static Parameter,
     rows: Rows,
-    outlook: Outlook<'_>,
+    findings: &Findings,
     is_asked: bool,
 ) -> bool {
     let palette = Palette::of(ui);
-    let row = Row::of(scenario, parameter, rows, outlook);
+    let row = Row::of(scenario, parameter, rows, findings);
     let place = ui.allocate_space(Vec2::new(ui.available_width(), row.height)).1;
     let builder = UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center));
     let drawn = ui.scope_builder(builder, |ui| {
@@ -352,7 +341,7 @@ fn row_ui(
             |text| parameter.parse(scenario, text),
         );
         row.unit_ui(ui);
-        row.bars_ui(ui, outlook);
+        row.bars_ui(ui, findings);
         row.reset_ui(ui, scenario);
         let at_it = hovered || slider.has_focus() || field.response.has_focus();
         (field.accepted.or(moved), field.refusal, at_it)

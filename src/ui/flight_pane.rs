@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use egui::Ui;
 
 use super::aircraft::{
-    AircraftView, Attitude, Axis, Camera, Figures, Forces, Moment, Picture, Playback, transport_ui,
+    AircraftView, Attitude, Axis, Figures, Forces, Moment, Picture, Playback, transport_ui,
 };
 use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
+use crate::findings::{Pose, Trajectory};
 use crate::number::trimmed;
-use crate::scenario::link::Sight;
-use crate::scenario::{Flown, Pose};
+use crate::scenario::view::{FlightView, Pace};
 use crate::shape::{Deflections, Finish, Model};
 
 /// Length of the path behind the aircraft \[s\].
@@ -19,10 +19,10 @@ const PATH: f64 = 8.0;
 /// The propeller turns so fast on screen \[rad/s\]: slowly enough to be seen turning.
 const PROPELLER: f64 = 14.0;
 
-/// How a person looks at the flight, and where its playback is.
+/// Where the playback of the flight is, and what has been drawn of it.
 #[derive(Debug)]
 pub struct FlightPane {
-    view: AircraftView,
+    picture: AircraftView,
     playback: Playback,
     /// The faces of the shapes drawn so far.
     models: Models,
@@ -30,28 +30,14 @@ pub struct FlightPane {
 
 impl Default for FlightPane {
     fn default() -> Self {
-        let playback = Playback::new(0.0);
-        let mut pane = Self { view: AircraftView::default(), playback, models: HashMap::new() };
-        pane.look(&Sight::default());
-        pane
+        Self { picture: AircraftView::default(), playback: Playback::new(0.0), models: HashMap::new() }
     }
 }
 
 impl FlightPane {
-    /// From where, what is drawn and how it is played, for a link.
-    pub fn sight(&self, sight: &mut Sight) {
-        sight.viewpoint = self.view.camera.viewpoint();
-        sight.overlays = self.view.overlays;
-        sight.rate = self.playback.rate;
-        sight.is_looping = self.playback.is_looping;
-    }
-
-    /// Looks at it as a link does.
-    pub fn look(&mut self, sight: &Sight) {
-        self.view.camera = Camera::at(sight.viewpoint);
-        self.view.choose(sight.overlays);
-        self.playback.rate = sight.rate;
-        self.playback.is_looping = sight.is_looping;
+    /// Draws the overlays next as they are, as a link says.
+    pub fn keep_overlays(&mut self) {
+        self.picture.keep_overlays();
     }
 
     /// Time of the playback \[s\].
@@ -83,22 +69,22 @@ impl FlightPane {
     }
 
     /// Lets time go on, where it is playing, through a motion that ends at `end` \[s\].
-    pub fn advance(&mut self, ui: &Ui, end: f64) {
+    pub fn advance(&mut self, ui: &Ui, pace: Pace, end: f64) {
         self.playback.end = end;
         self.playback.time = self.playback.time.min(end);
         if self.playback.is_playing {
-            self.playback.advance(f64::from(ui.input(|input| input.stable_dt).min(0.1)));
+            self.playback.advance(f64::from(ui.input(|input| input.stable_dt).min(0.1)), pace);
             ui.request_repaint();
         }
     }
 
     /// Buttons of the standard views, and what to show.
-    pub fn toolbar_ui(&mut self, ui: &mut Ui) {
-        self.view.toolbar_ui(ui);
+    pub fn toolbar_ui(&mut self, ui: &mut Ui, view: &mut FlightView) {
+        self.picture.toolbar_ui(ui, view);
     }
 
     /// Draws the aircraft at the time of the playback, over all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, flown: Flown<'_>) {
+    pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, flown: Trajectory<'_>) {
         let palette = Palette::of(ui);
         let bar = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
         let room = (ui.available_height() - bar).max(80.0);
@@ -124,7 +110,7 @@ impl FlightPane {
                 trimmed(exaggeration, 3)
             )
         });
-        let Self { view, playback, models } = self;
+        let Self { picture: widget, playback, models } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
         let picture = Picture {
@@ -155,9 +141,9 @@ impl FlightPane {
         let width = ui.available_width();
         ui.allocate_ui(egui::Vec2::new(width, room), |ui| {
             ui.set_min_height(room);
-            view.show(ui, &picture);
+            widget.show(ui, view, &picture);
         });
-        transport_ui(ui, playback);
+        transport_ui(ui, playback, &mut view.pace);
     }
 }
 

@@ -4,11 +4,12 @@ use egui::{Rect, Response, RichText, Sense, Ui, Vec2};
 
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
+use crate::findings::{Findings, RowSensitivity, by_strength};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::sensitivity::Sensitivity;
 use crate::number::significant;
 use crate::scenario::parameters::Group;
-use crate::scenario::{Parameter, RowSensitivity, Scenario, by_strength};
+use crate::scenario::{Page, Parameter};
 use crate::words;
 
 /// Of a bar beside a slider, with its gap.
@@ -90,13 +91,8 @@ pub struct Strongest {
 
 impl Strongest {
     /// Draws the list, each derivative with a bar a mode. The longest bar is as long as there is room.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        scenario: &Scenario,
-        rows: &[RowSensitivity],
-        modes: &[Mode],
-    ) -> Wish {
+    pub fn show(&mut self, ui: &mut Ui, findings: &Findings, page: Page) -> Wish {
+        let (rows, modes) = (findings.sensitivities(page), findings.modes());
         let find = |key: &str| rows.iter().find(|row| row.key == key);
         let is_dragged = ui.input(|input| input.pointer.any_down());
         if !is_dragged || self.keys.iter().any(|key| find(key).is_none()) {
@@ -124,7 +120,7 @@ impl Strongest {
                 if response.clicked() {
                     wish.asked = Some(row.key);
                 }
-                let length = scenario.aircraft.length_unit;
+                let length = findings.scenario().aircraft.length_unit;
                 let unit = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
                 response.on_hover_text(format!("{}: {}", parameter.name, words(row, modes, unit)));
             }

@@ -3,7 +3,7 @@
 use egui::{Grid, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui};
 
 use super::theme::{self, Palette};
-use crate::scenario::link::Pane;
+use crate::scenario::view::Pane;
 
 impl Pane {
     /// The words on screen.
@@ -77,7 +77,7 @@ const SHORTCUTS: [Shortcut; 12] = [
     plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Maximise the aircraft, or restore it"),
     plain(Key::R, "R", Command::Maximise(Pane::Response), "Maximise the response, or restore it"),
     plain(Key::Escape, "Esc", Command::Restore, "Restore the maximised pane"),
-    plain(Key::G, "G", Command::Pin, "Pin this state as a ghost, or unpin it"),
+    plain(Key::G, "G", Command::Pin, "Pin this state, or unpin it"),
     plain(Key::L, "L", Command::CopyLink, "Copy the whole scene as a link"),
     plain(Key::T, "T", Command::Look, "Light, dark, projector"),
     plain(Key::Questionmark, "?", Command::Help, "This sheet"),

@@ -13,7 +13,6 @@ mod influence;
 mod kept;
 mod keys;
 mod labels;
-mod memo;
 mod mode_cards;
 mod number_field;
 mod palette;

@@ -17,7 +17,7 @@ use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::handling_qualities::{Level, Verdict};
 use crate::flight::verdicts::mil_f_8785c::Category;
 use crate::number::{eigenvalue, significant};
-use crate::scenario::link::Details;
+use crate::scenario::view::Details;
 use crate::words;
 
 /// The verdicts: dynamic, then static, each with its numbers.

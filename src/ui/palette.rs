@@ -37,7 +37,7 @@ pub struct Palette {
     /// The filled part of a slider, what has focus.
     pub accent: Color32,
     /// The pinned state to compare with.
-    pub ghost: Color32,
+    pub pinned: Color32,
     /// The nonlinear flight beside the linear motion.
     pub nonlinear: Color32,
     /// Left half of the pole map.
@@ -128,7 +128,7 @@ const LIGHT: Palette = Palette {
     strong: Color32::from_rgb(0x22, 0x30, 0x3c),
     on_strong: Color32::WHITE,
     accent: Color32::from_rgb(0x7a, 0x9b, 0xb8),
-    ghost: Color32::from_rgb(0x78, 0x86, 0x94),
+    pinned: Color32::from_rgb(0x78, 0x86, 0x94),
     nonlinear: Color32::from_rgb(0xa3, 0x2a, 0x12),
     stable_half: Color32::from_rgb(0xed, 0xf7, 0xf3),
     unstable_half: Color32::from_rgb(0xfd, 0xf1, 0xec),
@@ -203,7 +203,7 @@ const DARK: Palette = Palette {
     strong: Color32::from_rgb(0xd6, 0xe1, 0xec),
     on_strong: Color32::from_rgb(0x16, 0x1c, 0x23),
     accent: Color32::from_rgb(0x4f, 0x7d, 0xa3),
-    ghost: Color32::from_rgb(0x7d, 0x8b, 0x9a),
+    pinned: Color32::from_rgb(0x7d, 0x8b, 0x9a),
     nonlinear: Color32::from_rgb(0xff, 0xa3, 0x8a),
     stable_half: Color32::from_rgb(0x14, 0x24, 0x22),
     unstable_half: Color32::from_rgb(0x2b, 0x1d, 0x1b),
@@ -267,7 +267,7 @@ const PROJECTOR: Palette = Palette {
     strong: Color32::BLACK,
     on_strong: Color32::WHITE,
     accent: Color32::from_rgb(0x3d, 0x6b, 0x94),
-    ghost: Color32::from_rgb(0x55, 0x63, 0x72),
+    pinned: Color32::from_rgb(0x55, 0x63, 0x72),
     nonlinear: Color32::from_rgb(0x8c, 0x10, 0x00),
     stable_half: Color32::from_rgb(0xdc, 0xf0, 0xe8),
     unstable_half: Color32::from_rgb(0xfb, 0xdf, 0xd3),
@@ -592,7 +592,7 @@ mod tests {
         for look in [Look::Light, Look::Dark, Look::Projector] {
             let p = look.palette();
             let grounds = [p.pane, p.field, p.stable_half, p.unstable_half];
-            check(look, 3.0, "ghost", p.ghost, &grounds);
+            check(look, 3.0, "pinned", p.pinned, &grounds);
             check(look, 3.0, "stability boundary", p.strong, &grounds);
             for name in MODES {
                 check(look, 3.0, words::mode::title(name), p.mode(name), &grounds);

@@ -177,7 +177,7 @@ impl ReferenceSlider<'_> {
         painter.hline(left..=right, y, Stroke::new(3.0, palette.hairline));
         // The fill runs from the reference: how far, and which way, this has been moved.
         painter.hline(tick.min(x)..=tick.max(x), y, Stroke::new(3.0, palette.accent));
-        painter.vline(tick, y - 6.5..=y + 6.5, Stroke::new(1.5, palette.ghost));
+        painter.vline(tick, y - 6.5..=y + 6.5, Stroke::new(1.5, palette.pinned));
         if let Some(moved) = self.in_effect {
             let tip = egui::pos2(self.x_of(rect, moved), y + 3.0);
             let foot = [tip + Vec2::new(4.0, 7.0), tip + Vec2::new(-4.0, 7.0)];

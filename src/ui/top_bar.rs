@@ -6,7 +6,7 @@ use egui::containers::menu::menu_style;
 use egui::style::{ScrollStyle, StyleModifier};
 use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, Ui, Vec2};
 
-use super::app::{Action, Ghost};
+use super::app::{Action, Pinned};
 use super::theme::{self, Look, Palette};
 use crate::content::{Aircraft, Status};
 use crate::flight::aircraft::plane::Plane;
@@ -20,7 +20,7 @@ pub struct Bar<'a> {
     /// The scenario on screen.
     pub scenario: &'a Scenario,
     /// The pinned state, if any.
-    pub ghost: Option<&'a Ghost>,
+    pub pinned: Option<&'a Pinned>,
     /// Whether there is something to undo and to redo.
     pub history: (bool, bool),
     /// Whether the bar needs two rows.
@@ -155,9 +155,9 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let look = Look::of(ui.ctx()).next();
     let share = if bar.narrow { "Share" } else { "Share link" };
     let share = Tool::new(share, "Share link: copy the whole scene as a link (key L)", Action::CopyLink);
-    let pin = match bar.ghost {
-        Some(ghost) => Tool::new("Unpin", format!("Unpin “{}”", ghost.name), Action::Unpin),
-        None => Tool::new("Pin ghost", "Pin this state, to compare what comes next with it", Action::Pin),
+    let pin = match bar.pinned {
+        Some(pinned) => Tool::new("Unpin", format!("Unpin “{}”", pinned.name), Action::Unpin),
+        None => Tool::new("Pin", "Pin this state, to compare what comes next with it", Action::Pin),
     };
     let dress = Tool {
         text: look.sign(),
@@ -172,7 +172,7 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     if !bar.narrow {
         tools.push(Tool::help());
     }
-    let pinned = bar.ghost.filter(|_| bar.roomy).map(|ghost| format!("○ pinned: {}", ghost.name));
+    let pinned = bar.pinned.filter(|_| bar.roomy).map(|pinned| format!("○ pinned: {}", pinned.name));
     from_the_right(ui, bar.narrow, pinned.as_deref(), tools)
 }
 

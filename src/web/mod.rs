@@ -58,7 +58,7 @@ fn offer_handle(runner: &WebRunner) -> Result<(), JsValue> {
     let runner = runner.clone();
     let state = Closure::<dyn Fn() -> JsValue>::new(move || {
         let page = runner.app_mut::<Page>();
-        page.and_then(|page| page.state()).map_or(JsValue::NULL, |state| JsValue::from_str(&state))
+        page.map(|page| page.state()).map_or(JsValue::NULL, |state| JsValue::from_str(&state))
     });
     let handle = js_sys::Object::new();
     js_sys::Reflect::set(&handle, &"state".into(), &state.into_js_value())?;
@@ -84,8 +84,8 @@ struct Page {
 }
 
 impl Page {
-    fn state(&self) -> Option<String> {
-        Some(export::state(self.app.scenario(), self.app.analysis()?).to_string())
+    fn state(&self) -> String {
+        export::state(self.app.findings()).to_string()
     }
 }
 

@@ -37,7 +37,7 @@ impl Display for Notice {
                 f,
                 "There is no aircraft “{key}” here: this is {instead} instead, without the changes made to it."
             ),
-            Self::Ghost { key } => {
+            Self::Pinned { key } => {
                 write!(f, "The pinned state was left out: there is no aircraft “{key}” here.")
             }
             Self::Plane { aircraft } => {

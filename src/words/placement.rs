@@ -2,7 +2,8 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use crate::scenario::{Obstacle, Parameter, PlacementError};
+use crate::findings::{Obstacle, PlacementError};
+use crate::scenario::Parameter;
 
 impl Display for Obstacle {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {

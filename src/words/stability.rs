@@ -1,8 +1,7 @@
 //! The verdicts on a plane as a whole, and the warning of mixed units.
 
 use crate::content::LengthUnit;
-use crate::flight::Analysis;
-use crate::flight::analysis::{Margins, PlaneAnalysis};
+use crate::flight::analysis::{GravityCheck, Margins, PlaneAnalysis};
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness, Stiffness};
 use crate::number::significant;
@@ -104,13 +103,12 @@ pub const fn static_meaning(stability: &PlaneStaticStability) -> &'static str {
     }
 }
 
-/// The warning that gravity and speed don't belong to one system of units, where they don't.
-pub fn mixed_units(analysis: &Analysis) -> Option<String> {
-    let gravity = analysis.gravity.filter(|gravity| !gravity.is_plausible())?;
+/// The warning that gravity and speed don't belong to one system of units.
+pub fn mixed_units(gravity: GravityCheck) -> String {
     let ratio = gravity.rate / gravity.expected_rate;
     let (rate, expected) = (significant(gravity.rate, 2), significant(gravity.expected_rate, 2));
     let ratio_shown = significant(ratio, 3);
-    Some(if ratio > 1.0 {
+    if ratio > 1.0 {
         format!(
             "Gravity and speed don't belong to one unit system: g/U₀ = {rate} 1/s, where Earth's gravity at this speed gives \
              {expected} 1/s. Gravity is {ratio_shown} times too strong."
@@ -120,5 +118,5 @@ pub fn mixed_units(analysis: &Analysis) -> Option<String> {
             "Gravity and speed don't belong to one unit system: g/U₀ = {rate} 1/s, where Earth's gravity at this speed gives \
              {expected} 1/s. Gravity is {ratio_shown} of what it is on Earth."
         )
-    })
+    }
 }

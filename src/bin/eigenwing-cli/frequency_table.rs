@@ -19,8 +19,13 @@ pub fn frequency(report: &FrequencyReport) -> String {
     if step > 1 {
         text += &format!("Every {step}th of {} frequencies; --csv and --json give all.\n", frequency.len());
     }
-    if report.peaks.is_empty() {
-        text += "No peak: no oscillation of this output stands out.\n";
+    match report.growing_mode {
+        Some(mode) => {
+            text +=
+                &format!("{mode} grows: no steady oscillation ever answers a sine, so there is no peak.\n");
+        }
+        None if report.peaks.is_empty() => text += "No peak: no oscillation of this output stands out.\n",
+        None => {}
     }
     for peak in &report.peaks {
         let at = number(peak.frequency);

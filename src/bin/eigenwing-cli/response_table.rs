@@ -1,6 +1,6 @@
-//! A motion as tables for people: samples, figures, and what else was asked for.
+//! A motion as tables for people: samples, metrics, and what else was asked for.
 
-use eigenwing::export::{FiguresReport, FlightOutcome, ResponseReport, Signal, SplitOutcome, SplitReport};
+use eigenwing::export::{FlightOutcome, MetricsReport, ResponseReport, Signal, SplitOutcome, SplitReport};
 
 use crate::tables::{heading, number, optional, percent, stride, table};
 
@@ -18,7 +18,7 @@ pub fn response(report: &ResponseReport) -> String {
     if let Some(time) = report.cut_at {
         text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));
     }
-    text += &figures(&report.figures);
+    text += &metrics(&report.metrics);
     match &report.nonlinear {
         Some(FlightOutcome::Flown(flight)) => {
             text += "\nNonlinear flight\n";
@@ -59,32 +59,40 @@ fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>) -> Strin
 }
 
 /// A row an output, and what concerns the whole motion.
-fn figures(figures: &FiguresReport) -> String {
+fn metrics(metrics: &MetricsReport) -> String {
     let seconds = |time: Option<f64>| time.map_or_else(String::new, |t| format!("{} s", number(t)));
-    let rows = figures.outputs.iter().map(|of| {
-        vec![
-            heading(of.name, of.unit),
-            optional(of.peak.map(|peak| peak.value)),
-            seconds(of.peak.map(|peak| peak.time)),
-            optional(of.steady),
-            seconds(of.rise_time),
-            seconds(of.settling_time),
-            percent(of.overshoot),
-        ]
+    let is_random = metrics.outputs.iter().any(|of| of.root_mean_square.is_some());
+    let rows = metrics.outputs.iter().map(|of| {
+        // What is still growing where the linear model ends is no peak.
+        let beyond = of.beyond.map(|value| format!("beyond {}", number(value)));
+        let peak = beyond.unwrap_or_else(|| optional(of.peak.map(|peak| peak.value)));
+        let mut row = vec![heading(of.name, of.unit), peak, seconds(of.peak.map(|peak| peak.time))];
+        row.extend(if is_random {
+            vec![optional(of.root_mean_square)]
+        } else {
+            vec![optional(of.steady), seconds(of.rise_time), seconds(of.settling_time), percent(of.overshoot)]
+        });
+        row
     });
-    let head = ["output", "peak", "at", "steady", "rise", "settled", "overshoot"];
+    let columns: &[&str] = if is_random { &["r.m.s."] } else { &["steady", "rise", "settled", "overshoot"] };
+    let head: Vec<&str> = ["output", "peak", "at"].iter().chain(columns).copied().collect();
     let mut text = format!("\n{}", table(1, &head, rows));
-    if let Some(peak) = figures.peak_load_factor {
+    if let Some(value) = metrics.load_factor_beyond {
+        let value = number(value);
+        text +=
+            &format!("Change of load factor: beyond {value} g, still growing where the linear model ends\n");
+    }
+    if let Some(peak) = metrics.peak_load_factor {
         let (value, time) = (number(peak.value), number(peak.time));
         text += &format!("Largest change of load factor: {value} g at {time} s\n");
     }
-    if let Some(time) = figures.time_to_bank {
+    if let Some(time) = metrics.time_to_bank {
         text += &format!("30° of bank after {} s\n", number(time));
     }
-    if let Some(height) = figures.phugoid_swing {
+    if let Some(height) = metrics.phugoid_swing {
         text += &format!("Phugoid, first swing of the height: {} m\n", number(height));
     }
-    if let Some(parameter) = figures.control_anticipation {
+    if let Some(parameter) = metrics.control_anticipation {
         text += &format!("Control anticipation parameter: {} rad/s² per g\n", number(parameter));
     }
     text

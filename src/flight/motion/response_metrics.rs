@@ -21,9 +21,9 @@ const OVERSHOT: f64 = 1e-4;
 /// Between nodes a turning value is at most this much larger than the node: 25 nodes a period leave out 0.8 %.
 const BESIDE: f64 = 0.97;
 
-/// Figures of an output's answer to a step, of the whole motion, however much of it is shown.
+/// Metrics of an output's answer to a step, of the whole motion, however much of it is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StepFigures {
+pub struct StepMetrics {
     /// Value that the output goes to, in its unit.
     pub steady: f64,
     /// Time from 10 % to 90 % of the steady value, both for the first time \[s\].
@@ -34,18 +34,18 @@ pub struct StepFigures {
     pub overshoot: f64,
 }
 
-/// Figures of an output after a step at `start` that leads to `steady`; `modes` are those of the model.
+/// Metrics of an output after a step at `start` that leads to `steady`; `modes` are those of the model.
 ///
 /// `None` where the steady value is too small beside the motion to measure by (a thousandth of the peak), where the motion is no
 /// small disturbance all the way, or takes too long to settle to be followed.
-pub fn step_figures(
+pub fn step_metrics(
     model: &PlaneModel,
     modes: &[Mode],
     forced: &Forced,
     row: &OutputRow,
     start: f64,
     steady: f64,
-) -> Option<StepFigures> {
+) -> Option<StepMetrics> {
     let column = &forced.forcings.first()?.column;
     let amplitude = forced.forcings.first()?.input.at(start);
     let end_state = steady_state(&forced.a, column)? * amplitude;
@@ -73,7 +73,7 @@ pub fn step_figures(
         return None;
     }
     let reached = |share: f64| first_beyond(&course, row, &readings, |value| value / steady - share);
-    Some(StepFigures {
+    Some(StepMetrics {
         steady,
         rise_time: reached(0.9).and_then(|high| Some(high - reached(0.1)?)),
         settling_time: (settled_from(&course, row, readings.last()?, steady) - start).max(0.0),

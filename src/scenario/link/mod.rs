@@ -13,16 +13,14 @@
 mod notice;
 mod number;
 mod pieces;
-mod sight;
+mod view;
 mod words;
 
 use std::sync::Arc;
 
 pub use notice::Notice;
-pub use sight::{Details, Marks, Overlays, Pane, Sight, Viewpoint};
-pub use words::Tab;
 
-use super::{Page, Parameter, Scenario, Shape, parameters};
+use super::{Page, Parameter, Scenario, Shape, View, parameters};
 use crate::content::{Aircraft, LengthUnit};
 use crate::flight::aircraft::plane::Plane;
 use pieces::Pieces;
@@ -33,72 +31,30 @@ const VERSION: u32 = 1;
 /// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
 pub const LONGEST: usize = 10_000;
 
-/// What a link carries of how a person looks at the scenario.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LinkView {
-    /// The page of sliders.
-    pub page: Page,
-    /// In which way the response is shown.
-    pub tab: Tab,
-    /// Whether the nonlinear flight is drawn beside the linear motion.
-    pub nonlinear: bool,
-    /// The pinned state. Its disturbance and plane are those of the scene.
-    pub ghost: Option<Scenario>,
-    /// What is shown in the panes, and from where.
-    pub sight: Sight,
-}
-
 /// What a link leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
     /// What is studied.
     pub scenario: Scenario,
+    /// The state pinned beside it; its disturbance and plane are those of the scene.
+    pub pinned: Option<Scenario>,
     /// How it is looked at.
-    pub view: LinkView,
+    pub view: View,
     /// What was left out, and why.
     pub notices: Vec<Notice>,
 }
 
-impl LinkView {
-    /// The view that a link without a word about it leads to.
-    pub fn of(scenario: &Scenario) -> Self {
-        Self {
-            page: Page::of(scenario),
-            tab: Tab::default(),
-            nonlinear: false,
-            ghost: None,
-            sight: Sight::default(),
-        }
-    }
-}
-
 /// The scene as a link, without the `#`.
-pub fn write(scenario: &Scenario, view: &LinkView) -> String {
+pub fn write(scenario: &Scenario, view: &View, pinned: Option<&Scenario>) -> String {
     let mut pieces = vec![("v".to_owned(), VERSION.to_string())];
     write_aircraft(scenario, "", &mut pieces);
     if scenario.plane != Plane::Longitudinal {
         pieces.push(("plane".to_owned(), words::plane(scenario.plane).to_owned()));
     }
     write_disturbance(scenario, &mut pieces);
-    let usual = LinkView::of(scenario);
-    if view.page != usual.page
-        && let Some(word) = words::word_of(&words::PAGES, view.page)
-    {
-        pieces.push(("page".to_owned(), word.to_owned()));
-    }
-    if view.tab != usual.tab
-        && let Some(word) = words::word_of(&words::TABS, view.tab)
-    {
-        pieces.push(("tab".to_owned(), word.to_owned()));
-    }
-    if view.nonlinear != usual.nonlinear
-        && let Some(word) = words::word_of(&words::FLIGHTS, view.nonlinear)
-    {
-        pieces.push(("flight".to_owned(), word.to_owned()));
-    }
-    pieces.extend(view.sight.write());
-    if let Some(ghost) = &view.ghost {
-        write_aircraft(ghost, words::PINNED, &mut pieces);
+    pieces.extend(view.write(scenario));
+    if let Some(pinned) = pinned {
+        write_aircraft(pinned, words::PINNED, &mut pieces);
     }
     let pieces: Vec<String> = pieces.into_iter().map(|(key, value)| format!("{key}={value}")).collect();
     pieces.join("&")
@@ -180,19 +136,9 @@ pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
     }
     read_plane(&mut pieces, &mut scenario);
     read_disturbance(&mut pieces, &mut scenario);
-    let ghost = read_ghost(&mut pieces, &scenario, aircraft);
-    let sight = Sight::read(&mut pieces);
-    let mut view = LinkView { ghost, sight, ..LinkView::of(&scenario) };
-    if let Some(page) = pieces.take_word("page", &words::PAGES) {
-        if page.is_of(&scenario) {
-            view.page = page;
-        } else {
-            pieces.notices.push(Notice::Page { page: page.text(), aircraft: scenario.aircraft.name.clone() });
-        }
-    }
-    view.tab = pieces.take_word("tab", &words::TABS).unwrap_or(view.tab);
-    view.nonlinear = pieces.take_word("flight", &words::FLIGHTS).unwrap_or(view.nonlinear);
-    Some(Opened { scenario, view, notices: pieces.finish() })
+    let pinned = read_pinned(&mut pieces, &scenario, aircraft);
+    let view = View::read(&mut pieces, &scenario);
+    Some(Opened { scenario, pinned, view, notices: pieces.finish() })
 }
 
 fn read_version(pieces: &mut Pieces) {
@@ -297,7 +243,7 @@ fn read_number(pieces: &mut Pieces, key: &str, p: &Parameter, scenario: &Scenari
     pieces.accept(key, p, accepted)
 }
 
-fn read_ghost(pieces: &mut Pieces, scene: &Scenario, aircraft: &[Arc<Aircraft>]) -> Option<Scenario> {
+fn read_pinned(pieces: &mut Pieces, scene: &Scenario, aircraft: &[Arc<Aircraft>]) -> Option<Scenario> {
     if !pieces.has_prefix(words::PINNED) {
         return None;
     }
@@ -308,10 +254,10 @@ fn read_ghost(pieces: &mut Pieces, scene: &Scenario, aircraft: &[Arc<Aircraft>])
     };
     let Some(pinned) = pinned else {
         take_edits(pieces, words::PINNED);
-        pieces.notices.push(Notice::Ghost { key: notice::quoted(key.as_deref().unwrap_or_default()) });
+        pieces.notices.push(Notice::Pinned { key: notice::quoted(key.as_deref().unwrap_or_default()) });
         return None;
     };
-    let mut ghost = Scenario::new(pinned.clone());
-    read_edits(pieces, words::PINNED, &mut ghost);
-    Some(Scenario { disturbance: scene.disturbance, plane: scene.plane, ..ghost })
+    let mut pinned = Scenario::new(pinned.clone());
+    read_edits(pieces, words::PINNED, &mut pinned);
+    Some(Scenario { disturbance: scene.disturbance, plane: scene.plane, ..pinned })
 }

@@ -63,7 +63,7 @@ pub enum Notice {
         edited: bool,
     },
     /// No such aircraft to compare with.
-    Ghost {
+    Pinned {
         /// Its key.
         key: String,
     },

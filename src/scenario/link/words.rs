@@ -1,7 +1,7 @@
 //! The words of a link that are no parameters. They never change, whatever the program calls things.
 
+use super::super::view::{Pane, StandardView, Tab};
 use super::super::{Page, Shape, Source};
-use super::sight::{Pane, Viewpoint};
 use crate::flight::aircraft::plane::Plane;
 
 /// Before the key of a derivative or matrix entry: the number is added to the value that follows from the rest.
@@ -16,42 +16,13 @@ pub(super) const TIME: &str = "time";
 /// The time shown, where it follows the slowest mode that is seen: its value at present.
 pub(super) const FOLLOWS: &str = "follows";
 
-/// In which way the response is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tab {
-    /// Over time.
-    #[default]
-    Time,
-    /// One output over another.
-    Phase,
-    /// Over frequency.
-    Frequency,
-    /// In numbers.
-    Figures,
-}
-
-impl Tab {
-    /// All, in the order of the page.
-    pub const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Figures];
-
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Time => "Time",
-            Self::Phase => "Phase",
-            Self::Frequency => "Frequency",
-            Self::Figures => "Figures",
-        }
-    }
-}
-
 pub(super) const PLANES: [(&str, Plane); 2] = [("lon", Plane::Longitudinal), ("lat", Plane::Lateral)];
 
 pub(super) const PAGES: [(&str, Page); 3] =
     [("coefficients", Page::Coefficients), ("dimensional", Page::Dimensional), ("matrix", Page::Matrix)];
 
 pub(super) const TABS: [(&str, Tab); 4] =
-    [("time", Tab::Time), ("phase", Tab::Phase), ("frequency", Tab::Frequency), ("figures", Tab::Figures)];
+    [("time", Tab::Time), ("phase", Tab::Phase), ("frequency", Tab::Frequency), ("figures", Tab::Metrics)];
 
 /// Whether the nonlinear flight is drawn too.
 pub(super) const FLIGHTS: [(&str, bool); 2] = [("linear", false), ("nonlinear", true)];
@@ -68,11 +39,11 @@ pub(super) const RATES: [(&str, f64); 5] = [("0.25", 0.25), ("0.5", 0.5), ("1", 
 pub(super) const PANES: [(&str, Pane); 3] =
     [("poles", Pane::Poles), ("aircraft", Pane::Aircraft), ("response", Pane::Response)];
 
-pub(super) const VIEWPOINTS: [(&str, Viewpoint); 4] = [
-    ("three-quarter", Viewpoint::ThreeQuarter),
-    ("chase", Viewpoint::Chase),
-    ("side", Viewpoint::Side),
-    ("top", Viewpoint::Top),
+pub(super) const STANDARD_VIEWS: [(&str, StandardView); 4] = [
+    ("three-quarter", StandardView::ThreeQuarter),
+    ("chase", StandardView::Chase),
+    ("side", StandardView::Side),
+    ("top", StandardView::Top),
 ];
 
 /// A list with nothing in it.

@@ -313,7 +313,7 @@ impl Parameter {
     }
 
     /// The same where the value before is known.
-    pub(super) fn shift(&self, scenario: &mut Scenario, before: f64, value: f64) {
+    pub(crate) fn shift(&self, scenario: &mut Scenario, before: f64, value: f64) {
         if let Some((offset, sign)) = self.offset(&mut scenario.edited.offsets) {
             *offset += sign * (value - before);
         } else if let Some(own) = self.own(scenario) {

@@ -10,8 +10,9 @@ use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Study};
 use crate::flight::modes::sensitivity::entry_rate;
 
 impl Parameter {
-    /// ∂A/∂p of a plane; zero of a parameter that doesn't enter it.
-    pub(in crate::scenario) fn matrix_rate(&self, edited: &Edited, plane: Plane) -> Option<Matrix4<f64>> {
+    /// ∂A/∂p of a plane, exactly; zero of a parameter that doesn't enter it, `None` where the parameter or the model is missing, or
+    /// where the parameter can't be moved.
+    pub fn matrix_rate(&self, edited: &Edited, plane: Plane) -> Option<Matrix4<f64>> {
         let rate = match self.place {
             Place::LongitudinalCoefficient(of) => of_coefficients(edited, plane, |given, dual| {
                 dual.coefficients.longitudinal = seeded(&given.coefficients.longitudinal, of);

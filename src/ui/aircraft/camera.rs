@@ -1,50 +1,15 @@
-//! From where the aircraft is seen: around it at a distance, always upright, so that the horizon stays level.
-
-use std::f32::consts::{FRAC_PI_2, PI};
+//! What a camera sees, and the words of the standard views.
 
 use egui::{Pos2, Rect};
 
-use crate::scenario::link::Viewpoint;
+use crate::scenario::view::{Camera, StandardView};
 use crate::shape::Point;
 
 /// Half of the angle of view, up and down \[rad\].
 const HALF_VIEW: f32 = 0.30;
 /// The aircraft stands below the middle of the pane by this part of its height, so that there is sky.
 const LOWERED: f32 = 0.07;
-/// Nearest and farthest distance, over the one at which the aircraft fills the pane; never within the aircraft.
-const ZOOM: (f32, f32) = (0.5, 6.0);
-/// It looks up no more than this, and down no more than nearly upright \[rad\].
-const LOWEST: f32 = -0.5;
-const STEEPEST: f32 = FRAC_PI_2 - 0.001;
-
-/// Where the eye is, seen from the aircraft.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    /// Around the aircraft \[rad\]: 0 behind it, a quarter of a turn on its right.
-    pub azimuth: f32,
-    /// Above the aircraft \[rad\].
-    pub elevation: f32,
-    /// Distance over the one at which the aircraft fills the pane.
-    pub distance: f32,
-}
-
-/// The views that have a button and a key.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StandardView {
-    /// From the right, ahead and above.
-    ThreeQuarter,
-    /// From behind.
-    Chase,
-    /// From the right.
-    Side,
-    /// From above.
-    Top,
-}
-
 impl StandardView {
-    /// All, in the order of their keys 1 to 4.
-    pub const ALL: [Self; 4] = [Self::ThreeQuarter, Self::Chase, Self::Side, Self::Top];
-
     /// The word on its button.
     pub const fn text(self) -> &'static str {
         match self {
@@ -64,70 +29,9 @@ impl StandardView {
             Self::Top => "View from above",
         }
     }
-
-    /// Its camera.
-    pub const fn camera(self) -> Camera {
-        let (azimuth, elevation, distance) = match self {
-            Self::ThreeQuarter => (2.2, 0.27, 1.0),
-            Self::Chase => (0.0, 0.22, 1.0),
-            Self::Side => (FRAC_PI_2, 0.04, 1.0),
-            // Its length stands upright, where there is less room.
-            Self::Top => (0.0, STEEPEST, 1.5),
-        };
-        Camera { azimuth, elevation, distance }
-    }
-}
-
-impl Default for Camera {
-    fn default() -> Self {
-        StandardView::ThreeQuarter.camera()
-    }
 }
 
 impl Camera {
-    /// That of a link.
-    pub fn at(viewpoint: Viewpoint) -> Self {
-        match viewpoint {
-            Viewpoint::ThreeQuarter => StandardView::ThreeQuarter.camera(),
-            Viewpoint::Chase => StandardView::Chase.camera(),
-            Viewpoint::Side => StandardView::Side.camera(),
-            Viewpoint::Top => StandardView::Top.camera(),
-            Viewpoint::From { azimuth, elevation, distance } => Self {
-                azimuth: f32::from(azimuth).to_radians(),
-                elevation: f32::from(elevation).to_radians().clamp(LOWEST, STEEPEST),
-                distance: (f32::from(distance) / 100.0).clamp(ZOOM.0, ZOOM.1),
-            },
-        }
-    }
-
-    /// What a link says of it: a standard view, or rounded so that it is short and the same in every browser.
-    pub fn viewpoint(&self) -> Viewpoint {
-        let all = [Viewpoint::ThreeQuarter, Viewpoint::Chase, Viewpoint::Side, Viewpoint::Top];
-        let standard = all.into_iter().find(|&viewpoint| Self::at(viewpoint) == *self);
-        standard.unwrap_or(Viewpoint::From {
-            azimuth: self.azimuth.to_degrees().round() as i16,
-            elevation: self.elevation.to_degrees().round() as i16,
-            distance: (100.0 * self.distance).round() as i16,
-        })
-    }
-
-    /// Turned around the aircraft \[rad\].
-    pub fn orbit(&mut self, around: f32, up: f32) {
-        if around == 0.0 && up == 0.0 {
-            // Not even by rounding: a standard view is known by its numbers.
-            return;
-        }
-        self.azimuth = (self.azimuth + around + PI).rem_euclid(2.0 * PI) - PI;
-        self.elevation = (self.elevation + up).clamp(LOWEST, STEEPEST);
-    }
-
-    /// Nearer by a factor above 1, farther by one below.
-    pub fn zoom(&mut self, factor: f32) {
-        if factor > 0.0 {
-            self.distance = (self.distance / factor).clamp(ZOOM.0, ZOOM.1);
-        }
-    }
-
     /// What it sees in a pane: an aircraft of a radius \[m\], and a point to look at in Earth axes from the aircraft.
     pub(super) fn lens(&self, pane: Rect, radius: f32, target: Point) -> Lens {
         let (sin, cos) = self.azimuth.sin_cos();
@@ -222,24 +126,6 @@ mod tests {
             let ahead = Point::new(lens.forward.x, lens.forward.y, 0.0);
             let far = on_screen(&lens, lens.eye + ahead * 1e4 + lens.right * 1e3);
             assert!((far.y - lens.horizon()).abs() < 0.5, "{view:?}");
-        }
-    }
-
-    /// Rounded once, a camera is the same however often it is sent on.
-    #[test]
-    fn a_camera_that_has_been_sent_stays_where_it_is() {
-        let mut camera = Camera::default();
-        for step in 0..200 {
-            camera.orbit(0.37, if step % 40 < 20 { 0.13 } else { -0.19 });
-            camera.zoom(if step % 14 < 7 { 1.4 } else { 0.7 });
-            let sent = Camera::at(camera.viewpoint());
-            assert_eq!(sent.viewpoint(), camera.viewpoint(), "{camera:?}");
-            assert!((sent.elevation - camera.elevation).abs() < 0.01, "{camera:?} {sent:?}");
-            assert!((sent.azimuth - camera.azimuth).abs() < 0.01, "{camera:?} {sent:?}");
-            assert!((sent.distance - camera.distance).abs() < 0.006, "{camera:?} {sent:?}");
-        }
-        for view in StandardView::ALL {
-            assert_eq!(Camera::at(view.camera().viewpoint()), view.camera());
         }
     }
 

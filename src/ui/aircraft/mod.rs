@@ -14,10 +14,7 @@ mod playback;
 mod transport;
 mod view;
 
-pub use camera::{Camera, StandardView};
 pub use picture::{Attitude, Axis, Figures, Forces, Moment, Picture};
 pub use playback::{Playback, RATES};
 pub use transport::transport_ui;
 pub use view::AircraftView;
-
-pub use crate::scenario::link::Overlays;

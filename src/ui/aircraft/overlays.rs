@@ -8,7 +8,7 @@ use super::camera::Lens;
 use super::labels::{Labels, Words};
 use super::landscape::stroke;
 use super::picture::{Axis, Picture, degrees, finite, point};
-use crate::scenario::link::Overlays;
+use crate::scenario::view::Overlays;
 use crate::shape::Point;
 use crate::ui::theme::Palette;
 

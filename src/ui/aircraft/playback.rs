@@ -1,5 +1,7 @@
 //! Where a playback is: a time, and how it goes on. The motion is a function of that time, so it scrubs and never drifts.
 
+use crate::scenario::view::Pace;
+
 /// Rates that a person can choose, over real time.
 pub const RATES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
 
@@ -12,28 +14,24 @@ pub struct Playback {
     pub end: f64,
     /// Whether time goes on.
     pub is_playing: bool,
-    /// Seconds of motion in a second.
-    pub rate: f64,
-    /// Whether it begins again at its end.
-    pub is_looping: bool,
 }
 
 impl Playback {
     /// At the beginning of a motion of some length \[s\], at rest.
     pub fn new(end: f64) -> Self {
         let end = if end.is_finite() { end.max(0.0) } else { 0.0 };
-        Self { time: 0.0, end, is_playing: false, rate: 1.0, is_looping: false }
+        Self { time: 0.0, end, is_playing: false }
     }
 
     /// Goes on by so much real time \[s\].
-    pub fn advance(&mut self, dt_real: f64) {
+    pub fn advance(&mut self, dt_real: f64, Pace { rate, is_looping }: Pace) {
         if !self.is_playing || !dt_real.is_finite() || dt_real <= 0.0 {
             return;
         }
-        let time = self.time + dt_real * self.rate;
+        let time = self.time + dt_real * rate;
         if time < self.end {
             self.time = time;
-        } else if self.is_looping && self.end > 0.0 {
+        } else if is_looping && self.end > 0.0 {
             self.time = time.rem_euclid(self.end);
         } else {
             self.time = self.end;
@@ -64,13 +62,13 @@ mod tests {
     #[test]
     fn time_goes_on_only_while_playing_and_stops_at_the_end() {
         let mut playback = Playback::new(10.0);
-        playback.advance(3.0);
+        let once = Pace { rate: 2.0, is_looping: false };
+        playback.advance(3.0, once);
         assert_eq!(playback.time, 0.0);
         playback.toggle();
-        playback.rate = 2.0;
-        playback.advance(3.0);
+        playback.advance(3.0, once);
         assert_eq!(playback.time, 6.0);
-        playback.advance(3.0);
+        playback.advance(3.0, once);
         assert_eq!((playback.time, playback.is_playing), (10.0, false));
         playback.toggle();
         assert_eq!((playback.time, playback.is_playing), (0.0, true));
@@ -78,13 +76,14 @@ mod tests {
 
     #[test]
     fn a_loop_begins_again_and_keeps_what_is_left_over() {
-        let mut playback = Playback { is_looping: true, is_playing: true, ..Playback::new(10.0) };
+        let looping = Pace { rate: 1.0, is_looping: true };
+        let mut playback = Playback { is_playing: true, ..Playback::new(10.0) };
         playback.seek(9.0);
-        playback.advance(2.5);
+        playback.advance(2.5, looping);
         assert!((playback.time - 1.5).abs() < 1e-12 && playback.is_playing);
         // Never hangs on an empty motion, nor takes a time that is none.
-        let mut empty = Playback { is_looping: true, is_playing: true, ..Playback::new(f64::NAN) };
-        empty.advance(1.0);
+        let mut empty = Playback { is_playing: true, ..Playback::new(f64::NAN) };
+        empty.advance(1.0, looping);
         empty.seek(f64::NAN);
         assert_eq!((empty.time, empty.is_playing), (0.0, false));
     }

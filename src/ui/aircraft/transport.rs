@@ -4,6 +4,7 @@ use egui::{Button, ComboBox, RichText, Ui, Vec2};
 
 use super::playback::{Playback, RATES};
 use crate::number::fixed;
+use crate::scenario::view::Pace;
 use crate::ui::slider::ReferenceSlider;
 use crate::ui::theme::{self, Palette};
 
@@ -26,7 +27,7 @@ fn rate_text(rate: f64) -> &'static str {
 /// The bar of a playback. Every control is reached by Tab and worked by Space, Enter and the arrow keys.
 ///
 /// The caller advances the playback, and asks for frames while it plays.
-pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
+pub fn transport_ui(ui: &mut Ui, playback: &mut Playback, pace: &mut Pace) {
     let palette = Palette::of(ui);
     ui.horizontal(|ui| {
         let (sign, name) = if playback.is_playing { ("⏸", "Pause") } else { ("▶", "Play") };
@@ -66,14 +67,14 @@ pub fn transport_ui(ui: &mut Ui, playback: &mut Playback) {
         let (place, _) = ui.allocate_exact_size([width, galley.size().y].into(), egui::Sense::hover());
         ui.painter().galley(place.min, galley, color);
 
-        let chosen = rate_text(playback.rate);
+        let chosen = rate_text(pace.rate);
         let chooser = ComboBox::from_id_salt("rate").selected_text(chosen).width(38.0).show_ui(ui, |ui| {
             for rate in RATES {
-                ui.selectable_value(&mut playback.rate, rate, rate_text(rate));
+                ui.selectable_value(&mut pace.rate, rate, rate_text(rate));
             }
         });
         theme::name_chooser(chooser, "Speed of the playback", chosen);
         let name = "Begin again at the end";
-        ui.toggle_value(&mut playback.is_looping, "⟳").accessible_name(name).on_hover_text(name);
+        ui.toggle_value(&mut pace.is_looping, "⟳").accessible_name(name).on_hover_text(name);
     });
 }

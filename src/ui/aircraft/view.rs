@@ -8,12 +8,11 @@ use egui::{
     Ui, Vec2, WidgetInfo,
 };
 
-use super::camera::{Camera, StandardView};
 use super::landscape::Ground;
 use super::overlays::Easel;
 use super::picture::{Picture, finite};
 use super::{airframe, landscape};
-use crate::scenario::link::Overlays;
+use crate::scenario::view::{Camera, FlightView, StandardView};
 use crate::shape::Point;
 use crate::ui::theme::{self, Palette};
 use crate::ui::{arrow_keys, finger};
@@ -29,13 +28,9 @@ const FARTHEST_ASTRAY: f32 = 0.2;
 /// Side of the polygon of forces.
 const POLYGON: f32 = 84.0;
 
-/// How a person looks at the aircraft.
+/// The picture as it was in the frame before: how a person looks at it is in [`FlightView`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AircraftView {
-    /// From where.
-    pub camera: Camera,
-    /// What is drawn over it.
-    pub overlays: Overlays,
     /// Whether one mode was flown alone in the frame before; `None` before the first one.
     was_one_mode: Option<bool>,
     /// Whether a person has ticked or unticked the forces.
@@ -45,34 +40,33 @@ pub struct AircraftView {
 }
 
 impl AircraftView {
-    /// Draws these overlays, as a link or a file says, whatever is flown then.
-    pub fn choose(&mut self, overlays: Overlays) {
-        self.overlays = overlays;
+    /// Draws the overlays next as they are, as a link or a file says, whatever is flown then.
+    pub fn keep_overlays(&mut self) {
         self.was_one_mode = None;
     }
 
     /// Buttons of the standard views, and what to show.
-    pub fn toolbar_ui(&mut self, ui: &mut Ui) {
+    pub fn toolbar_ui(&mut self, ui: &mut Ui, FlightView { camera, overlays, .. }: &mut FlightView) {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().button_padding.x = 6.0;
             ui.spacing_mut().item_spacing.x = 2.0;
             ui.style_mut().override_font_id = Some(theme::small());
             for view in StandardView::ALL {
-                let is_on = self.camera == view.camera();
+                let is_on = *camera == view.camera();
                 let response = ui.selectable_label(is_on, view.text());
                 if response.accessible_name(view.name()).on_hover_text(view.name()).clicked() {
-                    self.camera = view.camera();
+                    *camera = view.camera();
                 }
             }
             // Stays open while boxes are ticked. They have their outline, which the style of menus takes away.
             let config = MenuConfig::new().style(StyleModifier::default());
             let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
             let (menu, _) = MenuButton::new("Show ▾").config(config).ui(ui, |ui| {
-                let forces = self.overlays.forces;
-                for (words, is_shown) in self.overlays.boxes() {
+                let forces = overlays.forces;
+                for (words, is_shown) in overlays.boxes() {
                     ui.checkbox(is_shown, words);
                 }
-                self.forces_chosen |= self.overlays.forces != forces;
+                self.forces_chosen |= overlays.forces != forces;
             });
             menu.accessible_name("Shown on the picture").on_hover_text("What is drawn over the aircraft");
         });
@@ -83,14 +77,14 @@ impl AircraftView {
     /// Drag turns the view; so do the arrow keys where it has focus, `+` and `−` zoom, 1 to 4 are the standard views.
     /// Two fingers turn it and zoom, and so does the wheel with Ctrl; the wheel alone, or one finger going up or down,
     /// scrolls the page as everywhere.
-    pub fn show(&mut self, ui: &mut Ui, picture: &Picture<'_>) -> Response {
+    pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, picture: &Picture<'_>) -> Response {
         let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        self.steer(ui, &response);
+        steer(ui, &response, &mut view.camera);
         // The forces would hide what a mode does; but what a person has chosen stands.
         let before = self.was_one_mode.replace(picture.is_one_mode);
         if before.is_some_and(|before| before != picture.is_one_mode) && !self.forces_chosen {
-            let shown = self.overlays.forces;
-            self.overlays.forces = if picture.is_one_mode {
+            let shown = view.overlays.forces;
+            view.overlays.forces = if picture.is_one_mode {
                 self.forces_before = Some(shown);
                 false
             } else {
@@ -98,7 +92,7 @@ impl AircraftView {
             };
         }
         if ui.is_rect_visible(pane) {
-            self.draw(ui, pane, picture);
+            draw(ui, pane, view, picture);
             if response.has_focus() {
                 let stroke = Stroke::new(2.0, Palette::of(ui).accent);
                 ui.painter().rect_stroke(pane, CornerRadius::same(4), stroke, StrokeKind::Inside);
@@ -107,79 +101,80 @@ impl AircraftView {
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, picture.sentence()));
         response
     }
+}
 
-    fn steer(&mut self, ui: &Ui, response: &Response) {
-        let held = finger::works_on(ui, response);
-        if response.clicked() || (held && response.drag_started()) {
-            response.request_focus();
-        }
-        let pinch = finger::pinch(ui, response);
-        let drag = match pinch {
-            Some(pinch) => pinch.translation_delta,
-            None if held && response.dragged() => response.drag_delta(),
-            None => Vec2::ZERO,
-        };
-        self.camera.orbit(-drag.x / DRAG, drag.y / DRAG);
-        if pinch.is_some() || response.hovered() {
-            self.camera.zoom(ui.input(|input| input.zoom_delta()));
-        }
-        if !response.has_focus() {
-            return;
-        }
-        arrow_keys::keep(ui, response);
-        ui.input(|input| {
-            let pressed = |key| input.num_presses(key) as f32;
-            self.camera.orbit(
-                STEP * (pressed(Key::ArrowRight) - pressed(Key::ArrowLeft)),
-                STEP * (pressed(Key::ArrowUp) - pressed(Key::ArrowDown)),
-            );
-            let nearer = pressed(Key::Plus) + pressed(Key::Equals) - pressed(Key::Minus);
-            self.camera.zoom(ZOOM_STEP.powf(nearer));
-            let keys = [Key::Num1, Key::Num2, Key::Num3, Key::Num4];
-            for (key, view) in keys.into_iter().zip(StandardView::ALL) {
-                if input.key_pressed(key) {
-                    self.camera = view.camera();
-                }
+/// Turns the camera by drag, fingers and keys.
+fn steer(ui: &Ui, response: &Response, camera: &mut Camera) {
+    let held = finger::works_on(ui, response);
+    if response.clicked() || (held && response.drag_started()) {
+        response.request_focus();
+    }
+    let pinch = finger::pinch(ui, response);
+    let drag = match pinch {
+        Some(pinch) => pinch.translation_delta,
+        None if held && response.dragged() => response.drag_delta(),
+        None => Vec2::ZERO,
+    };
+    camera.orbit(-drag.x / DRAG, drag.y / DRAG);
+    if pinch.is_some() || response.hovered() {
+        camera.zoom(ui.input(|input| input.zoom_delta()));
+    }
+    if !response.has_focus() {
+        return;
+    }
+    arrow_keys::keep(ui, response);
+    ui.input(|input| {
+        let pressed = |key| input.num_presses(key) as f32;
+        camera.orbit(
+            STEP * (pressed(Key::ArrowRight) - pressed(Key::ArrowLeft)),
+            STEP * (pressed(Key::ArrowUp) - pressed(Key::ArrowDown)),
+        );
+        let nearer = pressed(Key::Plus) + pressed(Key::Equals) - pressed(Key::Minus);
+        camera.zoom(ZOOM_STEP.powf(nearer));
+        let keys = [Key::Num1, Key::Num2, Key::Num3, Key::Num4];
+        for (key, view) in keys.into_iter().zip(StandardView::ALL) {
+            if input.key_pressed(key) {
+                *camera = view.camera();
             }
-        });
-    }
-
-    fn draw(&self, ui: &Ui, pane: Rect, picture: &Picture<'_>) {
-        let palette = Palette::of(ui);
-        let painter = ui.painter_at(pane);
-        let radius = picture.model.radius();
-        let lens = self.camera.lens(pane, radius, target(picture));
-        let [north, east, _] = picture.position;
-        let climbed = finite(picture.steady_position[2] - picture.position[2]);
-        let ground = Ground::below(radius, finite(picture.speed), [north, east], climbed);
-        painter.add(Shape::mesh(landscape::kept_mesh(ui, pane, &lens, &ground, palette)));
-
-        let rotation = picture.attitude.rotation();
-        let mut easel =
-            Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
-        let (beyond, before) = if self.overlays.path { easel.path() } else { Default::default() };
-        painter.add(Shape::mesh(beyond));
-        let airframe = airframe::kept_airframe(ui, pane, picture, &rotation, &lens, palette);
-        painter.add(Shape::mesh(airframe.mesh.clone()));
-        painter.add(Shape::mesh(before));
-        easel.draw(&self.overlays);
-
-        let mut taken = Vec::new();
-        if self.overlays.forces && picture.forces.is_some() && pane.width() > 4.0 * POLYGON {
-            let corner = pane.left_bottom() + Vec2::new(8.0, -8.0 - POLYGON);
-            let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
-            painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
-            easel.force_polygon(place);
-            let corner = place.min + Vec2::new(5.0, 3.0);
-            painter.text(corner, Align2::LEFT_TOP, "Balance", theme::small(), palette.weak);
-            taken.push(place);
         }
-        if let Some(note) = picture.note {
-            taken.push(note_ui(&painter, pane, note, palette));
-        }
-        let Easel { labels, .. } = easel;
-        labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
+    });
+}
+
+fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, picture: &Picture<'_>) {
+    let palette = Palette::of(ui);
+    let painter = ui.painter_at(pane);
+    let radius = picture.model.radius();
+    let lens = camera.lens(pane, radius, target(picture));
+    let [north, east, _] = picture.position;
+    let climbed = finite(picture.steady_position[2] - picture.position[2]);
+    let ground = Ground::below(radius, finite(picture.speed), [north, east], climbed);
+    painter.add(Shape::mesh(landscape::kept_mesh(ui, pane, &lens, &ground, palette)));
+
+    let rotation = picture.attitude.rotation();
+    let mut easel =
+        Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
+    let (beyond, before) = if overlays.path { easel.path() } else { Default::default() };
+    painter.add(Shape::mesh(beyond));
+    let airframe = airframe::kept_airframe(ui, pane, picture, &rotation, &lens, palette);
+    painter.add(Shape::mesh(airframe.mesh.clone()));
+    painter.add(Shape::mesh(before));
+    easel.draw(overlays);
+
+    let mut taken = Vec::new();
+    if overlays.forces && picture.forces.is_some() && pane.width() > 4.0 * POLYGON {
+        let corner = pane.left_bottom() + Vec2::new(8.0, -8.0 - POLYGON);
+        let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
+        painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
+        easel.force_polygon(place);
+        let corner = place.min + Vec2::new(5.0, 3.0);
+        painter.text(corner, Align2::LEFT_TOP, "Balance", theme::small(), palette.weak);
+        taken.push(place);
     }
+    if let Some(note) = picture.note {
+        taken.push(note_ui(&painter, pane, note, palette));
+    }
+    let Easel { labels, .. } = easel;
+    labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
 }
 
 /// Where to look, from the aircraft: at the middle of it and its arrows, but towards where steady flight would have

@@ -5,7 +5,7 @@ use egui::{
 };
 
 use super::{Action, App, PhonePane};
-use crate::scenario::link::Pane;
+use crate::scenario::view::Pane;
 use crate::ui::derivatives::Rows;
 use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
@@ -18,11 +18,9 @@ const PANE_GAP: f32 = 10.0;
 const CORNER: f32 = 22.0;
 
 impl App {
-    /// Sliders left, poles and responses in the middle, modes right or, on a tablet, below.
-    pub(super) fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
-        let palette = Palette::of(ui);
+    /// Sliders on the left.
+    pub(super) fn sliders_ui(&mut self, ui: &mut Ui, wide: bool) {
         let width = ui.available_width();
-        let side = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(12, 10));
         Panel::left("derivatives")
             .exact_size(if wide {
                 (0.26 * width).clamp(362.0, 460.0)
@@ -30,17 +28,19 @@ impl App {
                 (0.35 * width).clamp(344.0, 362.0)
             })
             .resizable(false)
-            .frame(side)
-            .show(ui, |ui| {
-                self.derivatives_ui(ui, Rows::Dense);
-            });
-        self.ghost_memo_refresh();
+            .frame(side_frame(ui))
+            .show(ui, |ui| self.derivatives_ui(ui, Rows::Dense));
+    }
+
+    /// Poles and responses in the middle, modes right or, on a tablet, below.
+    pub(super) fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
+        let palette = Palette::of(ui);
         let mut action = None;
         if wide {
             action = Panel::right("modes")
                 .exact_size(286.0)
                 .resizable(false)
-                .frame(side)
+                .frame(side_frame(ui))
                 .show(ui, |ui| {
                     let area = ScrollArea::vertical().auto_shrink(false);
                     finger::scroll_area_ui(ui, "modes", area, |ui| self.modes_ui(ui))
@@ -53,7 +53,7 @@ impl App {
                 let room = ui.available_rect_before_wrap();
                 self.pane_ui(ui, pane, room);
                 if pane != Pane::Response {
-                    self.view.responses.leave();
+                    self.panes.responses.leave();
                 }
                 if pane != Pane::Aircraft {
                     self.play(ui);
@@ -106,7 +106,6 @@ impl App {
     pub(super) fn phone_ui(&mut self, ui: &mut Ui) -> Option<Action> {
         let palette = Palette::of(ui);
         let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
-        self.ghost_memo_refresh();
         // A finger going up or down on the map scrolls what is below, as if the map were a part of it.
         let below = finger::last_background(ui);
         Panel::top("poles").exact_size(276.0).resizable(false).frame(ground).show(ui, |ui| {
@@ -121,18 +120,18 @@ impl App {
                     (PhonePane::Response, "Response"),
                     (PhonePane::Aircraft, "Aircraft"),
                 ] {
-                    ui.selectable_value(&mut self.view.phone_pane, pane, text);
+                    ui.selectable_value(&mut self.panes.phone_pane, pane, text);
                 }
             });
         });
-        if self.view.phone_pane != PhonePane::Response {
-            self.view.responses.leave();
+        if self.panes.phone_pane != PhonePane::Response {
+            self.panes.responses.leave();
         }
-        if self.view.phone_pane != PhonePane::Derivatives {
+        if self.panes.phone_pane != PhonePane::Derivatives {
             // Nobody is at a slider.
-            self.view.touched = None;
+            self.panes.touched = None;
         }
-        let pane = |ui: &mut Ui| match self.view.phone_pane {
+        let pane = |ui: &mut Ui| match self.panes.phone_pane {
             PhonePane::Derivatives => {
                 self.derivatives_ui(ui, Rows::Touch);
                 None
@@ -142,7 +141,7 @@ impl App {
                 finger::scroll_area_ui(ui, "modes", area, |ui| self.modes_ui(ui))
             }
             PhonePane::Aircraft => {
-                self.view.flight.toolbar_ui(ui);
+                self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
                 self.aircraft_ui(ui);
                 None
             }
@@ -182,7 +181,7 @@ impl App {
                     ui.horizontal(|ui| {
                         theme::heading(ui, RichText::new("Aircraft").heading(), 2);
                         ui.add_space(4.0);
-                        self.view.flight.toolbar_ui(ui);
+                        self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
                     });
                     self.aircraft_ui(ui);
                 }
@@ -200,6 +199,11 @@ impl App {
             self.view.maximised = (!maximised).then_some(pane);
         }
     }
+}
+
+/// The frame of what stands on the left and right.
+fn side_frame(ui: &Ui) -> Frame {
+    Frame::new().fill(Palette::of(ui).pane).inner_margin(Margin::symmetric(12, 10))
 }
 
 /// A rectangle smaller by so much on its left, right, top and bottom.

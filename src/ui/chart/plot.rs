@@ -188,7 +188,7 @@ fn draw(
     list.extend(vertical.iter().map(|tick| level(tick.value, palette.hairline)));
     list.extend(horizontal.iter().map(|tick| upright(tick.value, palette.hairline, Pattern::Full)));
     if picture.with_zero {
-        list.push(level(0.0, palette.ghost));
+        list.push(level(0.0, palette.pinned));
     }
     // The first is drawn last, on top.
     picture.curves.iter_mut().rev().for_each(|curve| curve.draw(chart, &mut list));

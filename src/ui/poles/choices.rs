@@ -7,11 +7,11 @@ use egui::{
     Vec2,
 };
 
-use crate::flight::analysis::PlaneAnalysis;
+use crate::findings::{Findings, by_strength};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
-use crate::scenario::link::Marks;
-use crate::scenario::{Page, Parameter, RowSensitivity, Scenario, by_strength};
+use crate::scenario::view::Marks;
+use crate::scenario::{Page, Parameter};
 use crate::ui::derivatives::Rows;
 use crate::ui::influence;
 use crate::ui::symbol::Symbol;
@@ -26,8 +26,6 @@ const BAR: f32 = 48.0;
 /// What is asked for.
 #[derive(Debug, Default)]
 pub struct Choices {
-    /// What is marked beside the poles.
-    pub marks: Marks,
     /// The mode that was last at hand, whose derivatives the button names.
     pub subject: Option<ModeName>,
     /// Keys that a person has chosen, by page and mode.
@@ -36,17 +34,10 @@ pub struct Choices {
 
 impl Choices {
     /// Keys of what the drag of a mode moves.
-    pub fn movers(
-        &self,
-        scenario: &Scenario,
-        modes: &[Mode],
-        index: usize,
-        page: Page,
-        rows: &[RowSensitivity],
-    ) -> Vec<&'static str> {
-        let name = modes.get(index).map(|mode| mode.naming.name);
+    pub fn movers(&self, findings: &Findings, index: usize, page: Page) -> Vec<&'static str> {
+        let name = findings.modes().get(index).map(|mode| mode.naming.name);
         let chosen = self.chosen.iter().find(|((on, of), _)| *on == page && Some(*of) == name);
-        chosen.map_or_else(|| scenario.movers(modes, index, page, rows), |(_, keys)| keys.clone())
+        chosen.map_or_else(|| findings.movers(index, page), |(_, keys)| keys.clone())
     }
 
     fn choose(&mut self, page: Page, name: ModeName, keys: Vec<&'static str>) {
@@ -55,15 +46,7 @@ impl Choices {
     }
 
     /// Draws the buttons into the heading of the pane.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        scenario: &Scenario,
-        plane: &PlaneAnalysis,
-        rows: &[RowSensitivity],
-        page: Page,
-        size: Rows,
-    ) {
+    pub fn show(&mut self, ui: &mut Ui, findings: &Findings, page: Page, marks: &mut Marks, size: Rows) {
         if size == Rows::Dense {
             ui.spacing_mut().interact_size.y = 20.0;
             ui.spacing_mut().button_padding = Vec2::new(7.0, 1.0);
@@ -78,35 +61,29 @@ impl Choices {
         };
         toggle(
             ui,
-            &mut self.marks.approximations,
+            &mut marks.approximations,
             "≈",
             "Textbook approximations",
             "Where the textbook approximations put the poles: hollow diamonds",
         );
-        ui.add_enabled_ui(scenario.task().is_some(), |ui| {
-            let task = scenario.task();
+        let task = findings.scenario().task();
+        ui.add_enabled_ui(task.is_some(), |ui| {
             let hint = task.map_or("The source names no class of aircraft", |_| {
                 "Boundaries of the handling-quality levels of MIL-F-8785C, hatched on the side that fails"
             });
-            toggle(ui, &mut self.marks.levels, "Levels", "Level boundaries", hint);
+            toggle(ui, &mut marks.levels, "Levels", "Level boundaries", hint);
         });
-        self.movers_ui(ui, scenario, plane, rows, page);
+        self.movers_ui(ui, findings, page);
     }
 
     /// Names what the drag moves, and lets a person choose.
-    fn movers_ui(
-        &mut self,
-        ui: &mut Ui,
-        scenario: &Scenario,
-        plane: &PlaneAnalysis,
-        rows: &[RowSensitivity],
-        page: Page,
-    ) {
-        let of_subject = plane.modes.iter().position(|mode| Some(mode.naming.name) == self.subject);
+    fn movers_ui(&mut self, ui: &mut Ui, findings: &Findings, page: Page) {
+        let modes = findings.modes();
+        let of_subject = modes.iter().position(|mode| Some(mode.naming.name) == self.subject);
         let mut index = of_subject.unwrap_or(0);
-        let Some(mode) = plane.modes.get(index) else { return };
+        let Some(mode) = modes.get(index) else { return };
         let palette = Palette::of(ui);
-        let keys = self.movers(scenario, &plane.modes, index, page, rows);
+        let keys = self.movers(findings, index, page);
         let parameters: Vec<&'static Parameter> =
             keys.iter().filter_map(|key| Parameter::find(key)).collect();
         let job = |before: &str, written: usize| {
@@ -145,7 +122,7 @@ impl Choices {
             ui.set_width(268.0);
             ui.label(RichText::new("Dragging this pole changes").font(theme::small()).color(palette.weak));
             ui.horizontal_wrapped(|ui| {
-                for (i, mode) in plane.modes.iter().enumerate() {
+                for (i, mode) in modes.iter().enumerate() {
                     let text = RichText::new(words::mode::title(mode.naming.name)).font(theme::small());
                     let text =
                         if i == index { text } else { text.color(palette.mode_text(mode.naming.name)) };
@@ -155,9 +132,10 @@ impl Choices {
                     }
                 }
             });
-            let Some(mode) = plane.modes.get(index) else { return };
-            let mut keys = self.movers(scenario, &plane.modes, index, page, rows);
+            let Some(mode) = modes.get(index) else { return };
+            let mut keys = self.movers(findings, index, page);
             let before = keys.clone();
+            let rows = findings.sensitivities(page);
             ScrollArea::vertical().max_height(300.0).auto_shrink([false, true]).show(ui, |ui| {
                 for key in by_strength(rows, index) {
                     let strength =

@@ -1,8 +1,11 @@
 //! A pole under the hand: what holds it, where it is wanted, and what came of it.
 
+use std::rc::Rc;
+
 use egui::Vec2;
 use nalgebra::Complex;
 
+use crate::findings::Findings;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::Scenario;
@@ -29,7 +32,7 @@ pub struct Held {
     /// Which of the maps it is held on.
     pub map: usize,
     /// The aircraft when it was taken: every place is solved for from there, so that the way makes no difference.
-    pub start: Scenario,
+    pub start: Rc<Findings>,
     /// Its mode then.
     pub mode: Mode,
     /// Keys of what may move.
@@ -75,13 +78,13 @@ pub struct Outcome {
 
 /// Moves the pole of `mode`, by name and sentence.
 pub fn place(
-    scenario: &Scenario,
+    findings: &Findings,
     mode: &Mode,
     wanted: Complex<f64>,
     movers: &[&str],
 ) -> (Option<Scenario>, Outcome) {
     let name = mode.naming.name;
-    match scenario.place_pole(mode, wanted, movers) {
+    match findings.place_pole(mode, wanted, movers) {
         Ok(placed) => {
             let obstacle = placed.obstacle.map(|obstacle| obstacle.to_string());
             let outcome = Outcome { name, obstacle, lambda: placed.lambda, wanted: placed.wanted };

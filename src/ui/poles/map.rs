@@ -123,8 +123,8 @@ impl Map<'_> {
         }
         marks::dotted(&painter, palette, &paths);
         extras.trail.draw(&painter, chart, palette);
-        for mode in seen.ghost.into_iter().flatten() {
-            marks::ring(&painter, chart, mode.lambda, palette.ghost);
+        for mode in seen.pinned.into_iter().flatten() {
+            marks::ring(&painter, chart, mode.lambda, palette.pinned);
         }
         let approximated =
             || marks::approximated(&seen.plane.approximations).filter(|_| extras.approximations);
@@ -143,8 +143,8 @@ impl Map<'_> {
             marks::mode(&painter, chart, palette, mode);
         }
 
-        let ghosts = seen.ghost.into_iter().flatten().map(|mode| mode.lambda);
-        let others: Vec<Complex<f64>> = ghosts.chain(approximated().map(|(_, root)| root)).collect();
+        let rings = seen.pinned.into_iter().flatten().map(|mode| mode.lambda);
+        let others: Vec<Complex<f64>> = rings.chain(approximated().map(|(_, root)| root)).collect();
         let mut placement = self.occupied(chart, &others);
         let written = grid::scale(&painter, chart, palette, &mut placement);
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
@@ -262,7 +262,7 @@ fn frame(painter: &Painter, chart: &Chart, palette: &Palette, inset: View) {
     painter.rect_stroke(
         Rect::from_min_max(min, max),
         0.0,
-        Stroke::new(1.0, palette.ghost),
+        Stroke::new(1.0, palette.pinned),
         StrokeKind::Middle,
     );
 }

@@ -76,7 +76,7 @@ pub fn paths(chart: &Chart, locus: &Locus) -> Vec<Path> {
 /// Draws paths dotted, each in the colour of its mode.
 pub fn dotted(painter: &Painter, palette: &Palette, paths: &[Path]) {
     for (name, path) in paths {
-        let color = name.map_or(palette.ghost, |name| palette.mode(name)).gamma_multiply(0.65);
+        let color = name.map_or(palette.pinned, |name| palette.mode(name)).gamma_multiply(0.65);
         painter.extend(Shape::dotted_line(path, color, 4.0, 1.1));
     }
 }

@@ -23,6 +23,8 @@ mod near;
 mod range;
 mod trail;
 
+use std::rc::Rc;
+
 use egui::accesskit::{Live, Role};
 use egui::text::LayoutJob;
 use egui::{
@@ -40,15 +42,16 @@ use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
 use super::chart::{Chart, PlotPoint};
-use super::memo::Memo;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use super::{arrow_keys, finger};
+use crate::findings::Findings;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
-use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
+use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{eigenvalue, round_up};
+use crate::scenario::view::Marks;
 use crate::scenario::{Page, Parameter, Scenario};
 use crate::words;
 
@@ -68,12 +71,14 @@ const COARSE: f64 = 10.0;
 /// What the pole map shows.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<'a> {
-    /// The scenario on screen.
-    pub scenario: &'a Scenario,
-    /// What follows for its plane.
+    /// What follows from the scenario on screen.
+    pub findings: &'a Findings,
+    /// The analysis of its plane.
     pub plane: &'a PlaneAnalysis,
     /// The modes of the pinned state.
-    pub ghost: Option<&'a [Mode]>,
+    pub pinned: Option<&'a [Mode]>,
+    /// What is marked beside the poles.
+    pub marks: Marks,
     /// The slider that the person is at, and its path.
     pub locus: Option<(&'static Parameter, &'a Locus)>,
 }
@@ -101,44 +106,42 @@ fn pole_id(mode: usize) -> Id {
 }
 
 impl PoleMap {
-    /// Moves a pole of `scenario` that is dragged or moved by key; `memo` is what followed in the last frame.
-    pub fn edit(&mut self, ui: &Ui, scenario: &mut Scenario, memo: &Memo, page: Page) -> Hand {
+    /// Moves a pole of `scenario` that is dragged or moved by key; `findings` are those on screen.
+    pub fn edit(&mut self, ui: &Ui, scenario: &mut Scenario, findings: &Rc<Findings>, page: Page) -> Hand {
         if ui.input(|input| input.pointer.any_pressed() || input.events.iter().any(is_key_press)) {
             self.outcome = None;
         }
-        let (Some(charts), Some(plane), Some(followed)) = (self.charts, memo.plane(), memo.followed()) else {
+        let Some(charts) = self.charts else {
             return Hand::Away;
         };
         if self.held.is_some() {
             return self.drag(ui, scenario, charts);
         }
-        if !memo.is_of(scenario, page) {
+        if findings.scenario() != scenario {
             return Hand::Away;
         }
-        let movers = |choices: &Choices, index: usize| {
-            choices.movers(scenario, &plane.modes, index, page, &followed.sensitivities)
-        };
+        let modes = findings.modes();
         for (map, chart) in charts.iter().enumerate() {
             let taken = ui.ctx().read_response(ground_id(map)).filter(Response::drag_started);
             let Some(at) = taken.and_then(|_| ui.input(|input| input.pointer.press_origin())) else {
                 continue;
             };
-            let Some((index, lower, _)) = nearest_pole(chart, &plane.modes, at, reach(ui)) else { continue };
-            let mode = plane.modes[index].clone();
-            let movers = movers(&self.choices, index);
+            let Some((index, lower, _)) = nearest_pole(chart, modes, at, reach(ui)) else { continue };
+            let mode = modes[index].clone();
+            let movers = self.choices.movers(findings, index, page);
             let pole = if lower { mode.lambda.conj() } else { mode.lambda };
             let grip = at - chart.position(pole);
             self.choices.subject = Some(mode.naming.name);
-            self.held = Some(Held { map, start: scenario.clone(), mode, movers, grip, lower, wanted: None });
+            self.held = Some(Held { map, start: findings.clone(), mode, movers, grip, lower, wanted: None });
             return Hand::Takes;
         }
-        let focused = (0..plane.modes.len()).find(|&i| ui.memory(|memory| memory.has_focus(pole_id(i))));
+        let focused = (0..modes.len()).find(|&i| ui.memory(|memory| memory.has_focus(pole_id(i))));
         if let Some((index, by)) = focused.and_then(|index| Some((index, stepped(ui)?))) {
-            let mode = &plane.modes[index];
-            let chart = charts[usize::from(slow_modes(&plane.modes).contains(&index))];
+            let mode = &modes[index];
+            let chart = charts[usize::from(slow_modes(modes).contains(&index))];
             let step = round_step((chart.view.top - chart.view.bottom) / FINE_STEPS);
-            let (moved, outcome) =
-                place(scenario, mode, mode.lambda + by * step, &movers(&self.choices, index));
+            let movers = self.choices.movers(findings, index, page);
+            let (moved, outcome) = place(findings, mode, mode.lambda + by * step, &movers);
             self.choices.subject = Some(mode.naming.name);
             self.outcome = Some(outcome);
             if let Some(moved) = moved {
@@ -155,10 +158,11 @@ impl PoleMap {
             let escape = input.consume_key(Modifiers::NONE, Key::Escape);
             (input.pointer.interact_pos(), input.pointer.any_down(), escape)
         });
+        let start = held.start.scenario();
         // Another aircraft, another plane, an edit by someone else: not the pole that was taken.
-        let other = scenario.aircraft != held.start.aircraft || scenario.plane != held.start.plane;
+        let other = scenario.aircraft != start.aircraft || scenario.plane != start.plane;
         if escape && !other {
-            scenario.edited = held.start.edited.clone();
+            scenario.edited = start.edited.clone();
             self.outcome = None;
         }
         if escape || other {
@@ -209,12 +213,8 @@ impl PoleMap {
             maps.iter().zip(&charts).flat_map(|(map, chart)| poles_ui(ui, map, chart)).collect();
         let grounds: [Response; 2] =
             std::array::from_fn(|i| self.ground_ui(ui, i, &maps[i], charts[i], modes));
-        let boundaries: Vec<Boundary> = seen
-            .scenario
-            .task()
-            .filter(|_| self.choices.marks.levels)
-            .map_or_else(Vec::new, |task| level_boundaries(&seen.plane.model, &seen.plane.modes, task));
-        let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, &boundaries);
+        let boundaries = if seen.marks.levels { seen.findings.level_boundaries() } else { &[] };
+        let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, boundaries);
         let focused = poles.iter().position(Response::has_focus).and_then(|k| {
             let order = maps.iter().zip(&charts).flat_map(|(map, chart)| on_map(map, chart));
             order.collect::<Vec<usize>>().get(k).copied()
@@ -229,8 +229,8 @@ impl PoleMap {
         for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
             let extras = Extras {
                 trail: &self.trail,
-                approximations: self.choices.marks.approximations,
-                boundaries: &boundaries,
+                approximations: seen.marks.approximations,
+                boundaries,
                 held: self.held.as_ref().filter(|held| held.map == i),
                 outcome: self.outcome.as_ref(),
                 lit,
@@ -269,7 +269,7 @@ impl PoleMap {
         let map = grounds.iter().position(|ground| ground.hover_pos().is_some())?;
         let at = grounds[map].hover_pos()?;
         let here = maps[map].boundaries(boundaries);
-        let near = near(&charts[map], seen, self.choices.marks.approximations, here, at, reach(ui))?;
+        let near = near(&charts[map], seen, seen.marks.approximations, here, at, reach(ui))?;
         if let Near::Pole(index) = near {
             ui.set_cursor_icon(if self.held.is_some() { CursorIcon::Grabbing } else { CursorIcon::Grab });
             self.choices.subject = Some(seen.plane.modes[index].naming.name);

@@ -160,13 +160,13 @@ pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
             } else {
                 format!("At most that, for the {mode}.")
             });
-            if let Some(task) = seen.scenario.task() {
+            if let Some(task) = seen.findings.scenario().task() {
                 let source = words::verdict::citation(criterion, task.category);
                 ui.label(RichText::new(source).font(theme::small()).color(palette.weak));
             }
         }
         Near::Path { parameter, value, lambda, name } => {
-            let length = seen.scenario.aircraft.length_unit;
+            let length = seen.findings.scenario().aircraft.length_unit;
             let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
             let mut job = Symbol::parse(parameter.symbol).job(theme::sizes(ui).symbol, palette.text);
             let text =

@@ -2,116 +2,102 @@
 
 use egui::{RichText, Ui};
 
+use super::curves::{input_words, units};
 use super::legend::{self, Entry, Mark};
-use super::studied::{Studied, input_words, units};
 use super::time::grid;
-use super::{Basis, Seen, kept, note_ui, output_ui};
+use super::{CacheKey, Canvas, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
-use crate::flight::aircraft::plane::{ByPlane, Plane};
-use crate::flight::modes::mode::Mode;
-use crate::flight::modes::stability::Stability;
-use crate::flight::motion::frequency_response::{
-    FrequencyPoint, Peak, frequency_range, frequency_response, peaks,
-};
+use crate::findings::{Findings, FrequencyResponse};
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::frequency_response::{FrequencyPoint, Peak};
 use crate::flight::motion::outputs::Output;
 use crate::number::significant;
-use crate::scenario::link::Sight;
 use crate::ui::chart::{Curve, Pattern, Picture, PlotPoint, Scale, SmallPlot};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
-/// Points over all frequencies: finer than a screen can tell between peaks.
-const POINTS: usize = 400;
-
 /// Gain and phase of one output.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct FrequencyPlots {
-    /// The output watched, of each plane.
-    pub outputs: ByPlane<Output>,
     plots: [SmallPlot; 2],
-    sheet: Option<((Basis, Output), Sheet)>,
+    sheet: Option<((CacheKey, Output), Sheet)>,
 }
 
-impl Default for FrequencyPlots {
-    fn default() -> Self {
-        let outputs = Sight::default().frequency_of;
-        Self { outputs, plots: Default::default(), sheet: None }
-    }
-}
-
-/// What the plots show, and what is said of it.
+/// The pictures, and what is said of them.
 #[derive(Debug)]
 struct Sheet {
-    bode: Bode,
+    shown: Shown,
     pictures: [Picture; 2],
     entries: Vec<Entry>,
 }
 
-/// A frequency response in shown units.
-#[derive(Debug)]
-struct Bode {
-    points: Vec<FrequencyPoint>,
-    peaks: Vec<Peak>,
+/// The units in which a frequency response is shown.
+#[derive(Clone, Copy, Debug)]
+struct Shown {
     /// Output over input: one shown unit of gain in SI.
-    unit: f64,
+    gain: f64,
     /// Symbols of the units of output and input.
     symbols: (&'static str, &'static str),
 }
 
 impl FrequencyPlots {
-    /// Which output.
-    pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
-        ui.label("Gain and phase of");
-        output_ui(ui, "Output of the frequency response", plane, &mut self.outputs[plane]);
-    }
-
     /// Draws gain and phase.
-    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
-        let Seen { studied, ghost, .. } = seen;
-        let output = self.outputs[studied.plane()];
-        let key = (Basis::of(seen), output);
-        let Sheet { bode, pictures, entries } = kept(&mut self.sheet, key, || Sheet::of(seen, output));
-        match unsteady(studied.modes) {
+    pub fn show(&mut self, ui: &mut Ui, canvas: Canvas<'_>) {
+        let Canvas { findings, pinned, .. } = canvas;
+        let output = canvas.view.frequency_of[findings.scenario().plane];
+        let Some(response) = findings.frequency(output) else { return };
+        let key = (CacheKey::of(canvas), output);
+        let Sheet { shown, pictures, entries } =
+            kept(&mut self.sheet, key, || Sheet::of(canvas, output, response));
+        match unsteady(findings) {
             Some(growing) => note_ui(ui, &growing),
-            None => peaks_ui(ui, bode),
+            None => peaks_ui(ui, &response.peaks, *shown),
         }
-        if let Some(growing) = ghost.and_then(|ghost| unsteady(ghost.modes)) {
+        if let Some(growing) = pinned.and_then(|pinned| unsteady(pinned)) {
             note_ui(ui, &format!("Pinned: {growing}"));
         }
-        legend::legend_ui(ui, entries, seen.beside);
-        let places = grid(ui, pictures.len(), seen.rows);
+        legend::legend_ui(ui, entries, canvas.beside);
+        let places = grid(ui, pictures.len(), canvas.rows);
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
             plot.show(ui, place, picture, None);
         }
     }
 }
 
-impl Sheet {
-    fn of(seen: Seen<'_>, output: Output) -> Self {
-        let Seen { studied, ghost, palette, .. } = seen;
-        let (input, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
-        let (quantity, unit, _) = units(output, studied.scenario);
-        let input_unit = dimension.symbol(LengthUnit::Metre);
-        let range = frequency_range(studied.modes);
-        let pinned = ghost.map(|ghost| bode(ghost, output, range));
-        let bode = bode(studied, output, range);
+/// Which output.
+pub fn choosers_ui(ui: &mut Ui, plane: Plane, output: &mut Output) {
+    ui.label("Gain and phase of");
+    output_ui(ui, "Output of the frequency response", plane, output);
+}
 
-        let decibels = |bode: &Bode, name, color, pattern| {
-            curve(bode, name, color, pattern, |point| 20.0 * (point.value.norm() / bode.unit).log10())
+impl Sheet {
+    fn of(canvas: Canvas<'_>, output: Output, response: &FrequencyResponse) -> Self {
+        let Canvas { findings, pinned, palette, .. } = canvas;
+        let scenario = findings.scenario();
+        let (input, _, dimension, _) = input_words(scenario.plane, scenario.driven_channel());
+        let (quantity, unit, output_si) = units(output, scenario);
+        let input_unit = dimension.symbol(LengthUnit::Metre);
+        let shown =
+            Shown { gain: output_si / dimension.in_si(LengthUnit::Metre), symbols: (unit, input_unit) };
+        let range = findings.frequency_range();
+        let of_pinned = pinned.and_then(|pinned| pinned.frequency_over(output, range, response.points.len()));
+
+        let decibels = |response: &FrequencyResponse, name, color, pattern| {
+            curve(response, name, color, pattern, |point| 20.0 * (point.value.norm() / shown.gain).log10())
         };
-        let degrees = |bode: &Bode, name, color, pattern| {
-            curve(bode, name, color, pattern, |point| point.phase.to_degrees())
+        let degrees = |response: &FrequencyResponse, name, color, pattern| {
+            curve(response, name, color, pattern, |point| point.phase.to_degrees())
         };
-        let with_ghost = |of: &dyn Fn(&Bode, &'static str, egui::Color32, Pattern) -> Curve| {
-            let mut curves = vec![of(&bode, "linear", palette.text, Pattern::Full)];
-            if let Some(pinned) = &pinned {
-                curves.push(of(pinned, "pinned", palette.ghost, Pattern::Dashed));
+        let with_pinned = |of: &dyn Fn(&FrequencyResponse, &'static str, egui::Color32, Pattern) -> Curve| {
+            let mut curves = vec![of(response, "linear", palette.text, Pattern::Full)];
+            if let Some(pinned) = &of_pinned {
+                curves.push(of(pinned, "pinned", palette.pinned, Pattern::Dashed));
             }
             curves
         };
         let symbol = format!("{}/{input}", quantity.symbol);
-        let uprights: Vec<_> = studied
-            .modes
+        let uprights: Vec<_> = findings
+            .modes()
             .iter()
             .filter_map(|mode| Some((mode.natural_frequency()?.log10(), palette.mode(mode.naming.name))))
             .collect();
@@ -123,21 +109,21 @@ impl Sheet {
             with_zero: false,
             ..Picture::of_time(symbol.as_str(), unit, curves)
         };
-        let dots = bode
+        let dots = response
             .peaks
             .iter()
             .filter_map(|peak| {
-                let gain = 20.0 * (peak.gain? / bode.unit).log10();
+                let gain = 20.0 * (peak.gain? / shown.gain).log10();
                 Some((PlotPoint::new(peak.frequency.log10(), gain), palette.mode(peak.mode)))
             })
             .collect();
         let gain_unit = format!("dB of {unit} per {input_unit}");
-        let gain = Picture { dots, ..picture(gain_unit, with_ghost(&decibels)) };
+        let gain = Picture { dots, ..picture(gain_unit, with_pinned(&decibels)) };
         let scales = (Scale::Decades, Scale::RightAngles);
-        let phase = Picture { scales, ..picture("deg".to_owned(), with_ghost(&degrees)) };
+        let phase = Picture { scales, ..picture("deg".to_owned(), with_pinned(&degrees)) };
         let pictures = [gain, phase];
         let mut entries = legend::curves(&pictures);
-        entries.extend(studied.modes.iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
+        entries.extend(findings.modes().iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
             let name = mode.naming.name;
             Entry {
                 mark: Mark::Upright,
@@ -145,35 +131,21 @@ impl Sheet {
                 name: format!("ωₙ of the {}", words::mode::in_a_sentence(name)),
             }
         }));
-        Self { bode, pictures, entries }
+        Self { shown, pictures, entries }
     }
 }
 
 /// Why no steady oscillation answers a sine, where a mode grows.
-fn unsteady(modes: &[Mode]) -> Option<String> {
-    let growing = modes.iter().find(|mode| mode.stability == Stability::Unstable)?;
+fn unsteady(findings: &Findings) -> Option<String> {
+    let growing = findings.growing_mode()?;
     Some(format!(
         "The {} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
         words::mode::in_a_sentence(growing.naming.name)
     ))
 }
 
-fn bode(studied: Studied<'_>, output: Output, range: (f64, f64)) -> Bode {
-    let forced = studied.scenario.driven(studied.motion);
-    let row = output.row(&studied.motion.model, &forced);
-    let points = frequency_response(&forced, &row, 0, range, POINTS);
-    let mut peaks = peaks(&forced, &row, 0, &points, studied.modes);
-    if unsteady(studied.modes).is_some() {
-        peaks.clear();
-    }
-    let (_, _, dimension, _) = input_words(studied.plane(), studied.scenario.driven_channel());
-    let (_, symbol, unit) = units(output, studied.scenario);
-    let symbols = (symbol, dimension.symbol(LengthUnit::Metre));
-    Bode { points, peaks, unit: unit / dimension.in_si(LengthUnit::Metre), symbols }
-}
-
 fn curve(
-    bode: &Bode,
+    response: &FrequencyResponse,
     name: &'static str,
     color: egui::Color32,
     pattern: Pattern,
@@ -181,23 +153,23 @@ fn curve(
 ) -> Curve {
     let point =
         |point: &FrequencyPoint| PlotPoint::new(point.frequency.log10(), value(point).clamp(-400.0, 4e4));
-    let points: Vec<PlotPoint> = bode.points.iter().map(point).collect();
+    let points: Vec<PlotPoint> = response.points.iter().map(point).collect();
     Curve::new(name, points, color, pattern)
 }
 
-fn peaks_ui(ui: &mut Ui, bode: &Bode) {
+fn peaks_ui(ui: &mut Ui, peaks: &[Peak], shown: Shown) {
     let palette = Palette::of(ui);
-    let (unit, input_unit) = bode.symbols;
+    let (unit, input_unit) = shown.symbols;
     ui.horizontal_wrapped(|ui| {
-        if bode.peaks.is_empty() {
+        if peaks.is_empty() {
             ui.label(
                 RichText::new("No peak: no oscillation of this output stands out.").font(theme::small()),
             );
         }
-        for peak in &bode.peaks {
+        for peak in peaks {
             let gain = peak.gain.map_or_else(
                 || "without bound".to_owned(),
-                |gain| format!("{} {unit} per {input_unit}", significant(gain / bode.unit, 3)),
+                |gain| format!("{} {unit} per {input_unit}", significant(gain / shown.gain, 3)),
             );
             let text = format!(
                 "{} peak: {gain} at {} rad/s",

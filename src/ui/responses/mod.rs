@@ -1,34 +1,31 @@
 //! The response pane: which disturbance, how strong, and the motion that follows: over time, as phase portraits, over frequency,
 //! and in numbers.
 
+mod curves;
 mod disturbance;
-mod figures;
 mod frequency;
 mod legend;
+mod metrics;
 mod phase;
-mod studied;
 mod time;
+
+use std::rc::Rc;
 
 use egui::{Rect, RichText, Ui};
 
 use super::derivatives::Rows;
 use super::theme::{self, Palette};
+use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
 use crate::number::significant;
-use crate::scenario::link::{Sight, Tab};
+use crate::scenario::view::{ResponseView, Tab};
 use crate::scenario::{Quantity, Scenario};
 
-pub use studied::Studied;
-
-/// The pane as a person has set it up; nothing of it is studied.
+/// The plots as they are on screen: how a person has set them up is in [`ResponseView`].
 #[derive(Debug, Default)]
 pub struct Responses {
-    /// In which way the motion is shown.
-    pub tab: Tab,
-    /// Whether the nonlinear flight is drawn beside the linear motion.
-    pub nonlinear: bool,
     /// What the rows of choosers leave free at their end.
     beside: Option<Rect>,
     time: time::TimePlots,
@@ -38,24 +35,31 @@ pub struct Responses {
 
 impl Responses {
     /// Heading and choosers; edits the disturbance in place. `modes` are those that can be flown alone.
-    pub fn choosers_ui(&mut self, ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
+    pub fn choosers_ui(
+        &mut self,
+        ui: &mut Ui,
+        scenario: &mut Scenario,
+        view: &mut ResponseView,
+        modes: &[Mode],
+    ) {
+        let plane = scenario.plane;
         ui.horizontal_wrapped(|ui| {
             theme::heading(ui, RichText::new("Response to").heading(), 2);
             disturbance::disturbance_ui(ui, scenario, modes);
         });
         ui.horizontal_wrapped(|ui| {
             for tab in Tab::ALL {
-                ui.selectable_value(&mut self.tab, tab, tab.text());
+                ui.selectable_value(&mut view.tab, tab, tab.text());
             }
             ui.add_space(8.0);
-            match self.tab {
-                Tab::Time => self.time.choosers_ui(ui, scenario.plane),
-                Tab::Phase => self.phase.choosers_ui(ui, scenario.plane),
-                Tab::Frequency => self.frequency.choosers_ui(ui, scenario.plane),
-                Tab::Figures => {}
+            match view.tab {
+                Tab::Time => time::choosers_ui(ui, plane, &mut view.shown[plane], &mut view.split),
+                Tab::Phase => phase::choosers_ui(ui, plane, &mut view.portraits[plane]),
+                Tab::Frequency => frequency::choosers_ui(ui, plane, &mut view.frequency_of[plane]),
+                Tab::Metrics => {}
             }
-            if matches!(self.tab, Tab::Time | Tab::Phase) {
-                ui.checkbox(&mut self.nonlinear, "Nonlinear").on_hover_text(
+            if matches!(view.tab, Tab::Time | Tab::Phase) {
+                ui.checkbox(&mut view.nonlinear, "Nonlinear").on_hover_text(
                     "The six rigid-body equations, integrated, beside the linear model. Raise the factor × to see them part",
                 );
             }
@@ -66,25 +70,9 @@ impl Responses {
         });
     }
 
-    /// What is shown, for a link.
-    pub fn sight(&self, sight: &mut Sight) {
-        sight.shown = self.time.chosen.clone();
-        sight.split = self.time.split;
-        sight.portraits = self.phase.pairs;
-        sight.frequency_of = self.frequency.outputs;
-    }
-
-    /// Shows what a link shows.
-    pub fn look(&mut self, sight: &Sight) {
-        self.time.chosen = sight.shown.clone();
-        self.time.split = sight.split;
-        self.phase.pairs = sight.portraits;
-        self.frequency.outputs = sight.frequency_of;
-    }
-
     /// Time under the pointer \[s\].
     pub fn hovered(&self) -> Option<f64> {
-        self.time.hovered().filter(|_| self.tab == Tab::Time)
+        self.time.hovered()
     }
 
     /// Forgets what the pointer was on: for frames in which the plots aren't drawn.
@@ -97,15 +85,17 @@ impl Responses {
         self.time.played = Some(time).filter(|time| *time > 0.0);
     }
 
-    /// Whether the nonlinear flight is wanted.
-    pub fn shows_flight(&self) -> bool {
-        self.nonlinear && matches!(self.tab, Tab::Time | Tab::Phase)
-    }
-
     /// Draws the motion over all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, studied: Studied<'_>, ghost: Option<Studied<'_>>, rows: Rows) {
-        if let Some(time) = studied.motion.small_until
-            && self.tab != Tab::Frequency
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        view: &ResponseView,
+        findings: &Rc<Findings>,
+        pinned: Option<&Rc<Findings>>,
+        rows: Rows,
+    ) {
+        if let Some(time) = findings.motion().and_then(|motion| motion.small_until)
+            && view.tab != Tab::Frequency
         {
             note_ui(
                 ui,
@@ -115,50 +105,72 @@ impl Responses {
                 ),
             );
         }
-        let studied = Studied { flight: studied.flight.filter(|_| self.shows_flight()), ..studied };
-        if let Some(end) = studied.end_of_flight() {
+        if let Some(end) = view.shows_flight().then(|| end_of_flight(findings)).flatten() {
             note_ui(ui, &end);
         }
         let beside = self.beside.take();
-        let seen = Seen { studied, ghost, palette: Palette::of(ui), rows, beside };
-        match self.tab {
-            Tab::Time => self.time.show(ui, seen),
-            Tab::Phase => self.phase.show(ui, seen, self.time.played),
-            Tab::Frequency => self.frequency.show(ui, seen),
-            Tab::Figures => figures::figures_ui(ui, studied, ghost),
+        let canvas = Canvas { findings, pinned, view, palette: Palette::of(ui), rows, beside };
+        if view.tab != Tab::Time {
+            self.time.leave();
         }
+        match view.tab {
+            Tab::Time => self.time.show(ui, canvas),
+            Tab::Phase => self.phase.show(ui, canvas, self.time.played),
+            Tab::Frequency => self.frequency.show(ui, canvas),
+            Tab::Metrics => metrics::metrics_ui(ui, findings, pinned.map(Rc::as_ref)),
+        }
+    }
+}
+
+/// Why there is no nonlinear flight, or where it ends.
+fn end_of_flight(findings: &Findings) -> Option<String> {
+    match findings.flight()? {
+        Ok(flight) => flight.stop.map(|stop| format!("Nonlinear flight ends: {stop}.")),
+        Err(error) => Some(format!("No nonlinear flight: {error}.")),
     }
 }
 
 /// What a tab draws, and where.
 #[derive(Clone, Copy, Debug)]
-struct Seen<'a> {
-    studied: Studied<'a>,
-    /// The pinned state.
-    ghost: Option<Studied<'a>>,
+struct Canvas<'a> {
+    findings: &'a Rc<Findings>,
+    /// Those of the pinned state.
+    pinned: Option<&'a Rc<Findings>>,
+    view: &'a ResponseView,
     palette: &'static Palette,
     rows: Rows,
     /// Where the legend goes if it fits.
     beside: Option<Rect>,
 }
 
-/// What pictures are made of: they stay the same as long as it does.
-#[derive(Clone, Debug, PartialEq)]
-struct Basis {
-    scenario: Scenario,
-    pinned: Option<Scenario>,
-    is_flown: bool,
+/// The key of pictures: they stay the same as long as it does.
+#[derive(Clone, Debug)]
+struct CacheKey {
+    findings: Rc<Findings>,
+    pinned: Option<Rc<Findings>>,
+    nonlinear: bool,
     palette: &'static Palette,
 }
 
-impl Basis {
-    fn of(seen: Seen<'_>) -> Self {
-        Self {
-            scenario: seen.studied.scenario.clone(),
-            pinned: seen.ghost.map(|ghost| ghost.scenario.clone()),
-            is_flown: seen.studied.flight.is_some(),
-            palette: seen.palette,
-        }
+impl CacheKey {
+    fn of(canvas: Canvas<'_>) -> Self {
+        let Canvas { findings, pinned, view, palette, .. } = canvas;
+        let nonlinear = view.shows_flight();
+        Self { findings: findings.clone(), pinned: pinned.cloned(), nonlinear, palette }
+    }
+}
+
+/// The very same findings: what follows from a scenario is found once.
+impl PartialEq for CacheKey {
+    fn eq(&self, other: &Self) -> bool {
+        let same_pinned = match (&self.pinned, &other.pinned) {
+            (Some(one), Some(other)) => Rc::ptr_eq(one, other),
+            (one, other) => one.is_none() && other.is_none(),
+        };
+        Rc::ptr_eq(&self.findings, &other.findings)
+            && same_pinned
+            && self.nonlinear == other.nonlinear
+            && self.palette == other.palette
     }
 }
 

@@ -4,29 +4,25 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::style::StyleModifier;
 use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
+use super::curves::units;
 use super::legend::{self, Entry};
-use super::studied::units;
-use super::{Basis, Seen, kept, note_ui, word};
+use super::{CacheKey, Canvas, curves, kept, note_ui, word};
 use crate::content::LengthUnit;
-use crate::flight::aircraft::plane::{ByPlane, Plane};
+use crate::findings::Findings;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::modal_sum::SplitError;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
-use crate::scenario::link::Sight;
-use crate::ui::chart::{Pattern, Picture, SmallPlot};
+use crate::ui::chart::{Curve, Pattern, Picture, SmallPlot};
 use crate::ui::derivatives::Rows;
 
 /// Least height of a small plot \[points\].
 const LEAST_HEIGHT: f32 = 120.0;
 const GAP: Vec2 = Vec2::new(12.0, 6.0);
 
-/// The plots over time as a person has set them up.
-#[derive(Debug)]
+/// The plots over time, and where the cursor is.
+#[derive(Debug, Default)]
 pub struct TimePlots {
-    /// What is shown, of each plane.
-    pub chosen: ByPlane<Vec<Output>>,
-    /// Whether the parts of the modes are shown.
-    pub split: bool,
     plots: Vec<SmallPlot>,
     /// Time under the pointer \[s\].
     hovered: Option<f64>,
@@ -36,7 +32,7 @@ pub struct TimePlots {
 }
 
 /// What is shown, of which outputs, and whether split.
-type Key = (Basis, Vec<Output>, bool);
+type Key = (CacheKey, Vec<Output>, bool);
 
 /// What the plots show.
 #[derive(Debug)]
@@ -48,30 +44,33 @@ struct Sheet {
 }
 
 impl Sheet {
-    fn of(seen: Seen<'_>, chosen: &[Output], split: bool) -> Self {
-        let Seen { studied, ghost, palette, .. } = seen;
+    fn of(canvas: Canvas<'_>, chosen: &[Output], split: bool) -> Self {
+        let Canvas { findings, pinned, view, palette, .. } = canvas;
+        let scenario = findings.scenario();
         let mut pictures: Vec<Picture> = Vec::new();
         let mut unsplit = None;
-        let duration = studied.duration().max(1e-3);
+        let duration = scenario.disturbance.sizes.time.max(1e-3);
         for &output in chosen {
-            let (quantity, symbol, unit) = units(output, studied.scenario);
-            let mut curves = vec![studied.curve(output, unit, Pattern::Full, palette.text)];
+            let (quantity, symbol, unit) = units(output, scenario);
+            let linear = |of: &Findings, pattern, color| curves::linear(of, output, unit, pattern, color);
+            let mut drawn: Vec<Curve> = linear(findings, Pattern::Full, palette.text).into_iter().collect();
             if split {
-                match studied.parts(output, unit, palette) {
-                    Ok(parts) => curves.extend(parts),
+                match curves::parts(findings, output, unit, palette) {
+                    Ok(parts) => drawn.extend(parts),
                     Err(error) => unsplit = Some(error),
                 }
             }
-            curves.extend(studied.flown(output, unit, palette));
-            if let Some(ghost) = ghost {
-                // The pinned state is drawn in the units of the one on screen.
-                curves.push(ghost.curve(output, unit, Pattern::Dashed, palette.ghost));
+            if view.shows_flight() {
+                drawn.extend(curves::nonlinear(findings, output, unit, palette));
             }
-            let beyond = studied.motion.small_until.map(|time| time..=duration);
-            pictures.push(Picture { beyond, ..Picture::of_time(quantity.symbol, symbol, curves) });
+            // The pinned state is drawn in the units of the one on screen.
+            drawn.extend(pinned.and_then(|pinned| linear(pinned, Pattern::Dashed, palette.pinned)));
+            let small_until = findings.motion().and_then(|motion| motion.small_until);
+            let beyond = small_until.map(|time| time..=duration);
+            pictures.push(Picture { beyond, ..Picture::of_time(quantity.symbol, symbol, drawn) });
         }
         let entries = legend::curves(&pictures);
-        if let Some((quantities, dimension, curves)) = studied.inputs(palette) {
+        if let Some((quantities, dimension, curves)) = curves::inputs(findings, palette) {
             let symbol = quantities.first().copied().unwrap_or_default();
             let unit = dimension.symbol(LengthUnit::Metre);
             pictures.push(Picture { quantities, ..Picture::of_time(symbol, unit, curves) });
@@ -80,13 +79,6 @@ impl Sheet {
             picture.x_range = Some(0.0..=duration);
         }
         Self { pictures, entries, unsplit }
-    }
-}
-
-impl Default for TimePlots {
-    fn default() -> Self {
-        let Sight { shown, split, .. } = Sight::default();
-        Self { chosen: shown, split, plots: Vec::new(), hovered: None, played: None, sheet: None }
     }
 }
 
@@ -106,46 +98,19 @@ impl TimePlots {
         self.hovered.or(self.played)
     }
 
-    /// Which outputs, and whether split.
-    pub fn choosers_ui(&mut self, ui: &mut Ui, plane: Plane) {
-        let chosen = &mut self.chosen[plane];
-        // Boxes to tick have their outline, which the style of menus takes away.
-        let config = MenuConfig::new().style(StyleModifier::default());
-        let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        let button = MenuButton::new("Show ▾").config(config);
-        let (response, _) = button.ui(ui, |ui| {
-            for &output in Output::of(plane) {
-                let quantity = Quantity::of(output);
-                let mut on = chosen.contains(&output);
-                if ui.checkbox(&mut on, format!("{} · {}", word(quantity), quantity.name)).clicked() {
-                    if on {
-                        chosen.push(output);
-                    } else if chosen.len() > 1 {
-                        chosen.retain(|other| *other != output);
-                    }
-                    // In the order of the list, whatever the order of the clicks.
-                    chosen.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
-                }
-            }
-        });
-        response.accessible_name("Quantities shown").on_hover_text("Which quantities are shown");
-        ui.checkbox(&mut self.split, "Split into modes").on_hover_text(
-            "Every linear motion is a sum of its modes: each in its colour, together the dark line",
-        );
-    }
-
     /// Draws the plots over all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
-        let chosen = &self.chosen[seen.studied.plane()];
+    pub fn show(&mut self, ui: &mut Ui, canvas: Canvas<'_>) {
+        let chosen = &canvas.view.shown[canvas.findings.scenario().plane];
+        let split = canvas.view.split;
         let (cursor, before) = (self.cursor(), self.hovered);
-        let key = (Basis::of(seen), chosen.clone(), self.split);
+        let key = (CacheKey::of(canvas), chosen.clone(), split);
         let Sheet { pictures, entries, unsplit } =
-            kept(&mut self.sheet, key, || Sheet::of(seen, chosen, self.split));
+            kept(&mut self.sheet, key, || Sheet::of(canvas, chosen, split));
         if let Some(error) = unsplit {
             note_ui(ui, &format!("No split into modes: {error}."));
         }
-        legend::legend_ui(ui, entries, seen.beside);
-        let places = grid(ui, pictures.len(), seen.rows);
+        legend::legend_ui(ui, entries, canvas.beside);
+        let places = grid(ui, pictures.len(), canvas.rows);
         self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);
         let mut hovered = None;
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
@@ -157,6 +122,33 @@ impl TimePlots {
             ui.request_repaint();
         }
     }
+}
+
+/// Which outputs, and whether split.
+pub fn choosers_ui(ui: &mut Ui, plane: Plane, chosen: &mut Vec<Output>, split: &mut bool) {
+    // Boxes to tick have their outline, which the style of menus takes away.
+    let config = MenuConfig::new().style(StyleModifier::default());
+    let config = config.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let button = MenuButton::new("Show ▾").config(config);
+    let (response, _) = button.ui(ui, |ui| {
+        for &output in Output::of(plane) {
+            let quantity = Quantity::of(output);
+            let mut on = chosen.contains(&output);
+            if ui.checkbox(&mut on, format!("{} · {}", word(quantity), quantity.name)).clicked() {
+                if on {
+                    chosen.push(output);
+                } else if chosen.len() > 1 {
+                    chosen.retain(|other| *other != output);
+                }
+                // In the order of the list, whatever the order of the clicks.
+                chosen.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
+            }
+        }
+    });
+    response.accessible_name("Quantities shown").on_hover_text("Which quantities are shown");
+    ui.checkbox(split, "Split into modes").on_hover_text(
+        "Every linear motion is a sum of its modes: each in its colour, together the dark line",
+    );
 }
 
 /// Places for `count` plots, in the order of reading, over all the room there is.

@@ -3,8 +3,8 @@
 use nalgebra::{Complex, Matrix4};
 use thiserror::Error;
 
-use super::parameters::{Page, Parameter};
-use super::{RowSensitivity, Scenario};
+use super::Findings;
+use super::sensitivities::{STILL, by_strength};
 use crate::flight::modes::eigen::eigenvalues;
 use crate::flight::modes::inverse::{
     Adjustable, InverseError, Linearised, OutOfReach, Placement, place_pole,
@@ -12,9 +12,8 @@ use crate::flight::modes::inverse::{
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::sensitivity::sensitivity;
+use crate::scenario::{Page, Parameter, Scenario};
 
-/// A derivative that moves |λ| by less than this fraction for a notable change of its own doesn't move the pole.
-const STILL: f64 = 1e-6;
 /// Nearer to the real axis than this fraction of |λ|, a pair is about to meet on it.
 const ON_AXIS: f64 = 0.1;
 /// Nearer to another real root than this fraction of the way that is left, the two are about to meet.
@@ -77,9 +76,9 @@ pub enum PlacementError {
     Inverse(#[from] InverseError),
 }
 
-impl Scenario {
+impl Findings {
     /// Moves the parameters with these keys, as little as may be, so that the pole of `mode` comes to `target` \[1/s\], or as near as
-    /// it goes. `mode` is one of this scenario on its plane.
+    /// it goes. `mode` is one of this scenario in its plane.
     ///
     /// A pair stays a pair, and a real root stays on the real axis. No slider leaves its range, and no derivative takes a sign that no
     /// aircraft has; one that was typed outside may stay there. What counts as little is [`Parameter::notable_change`].
@@ -89,12 +88,13 @@ impl Scenario {
         target: Complex<f64>,
         keys: &[&str],
     ) -> Result<Placed, PlacementError> {
+        let scenario = &self.scenario;
         let chosen: Vec<&'static Parameter> =
-            keys.iter().filter_map(|key| Parameter::find(key)).filter(|p| p.applies(self)).collect();
+            keys.iter().filter_map(|key| Parameter::find(key)).filter(|p| p.applies(scenario)).collect();
         if chosen.is_empty() {
             return Err(PlacementError::NothingChosen);
         }
-        if !chosen.iter().any(|p| self.moves(mode, p)) {
+        if !chosen.iter().any(|p| moves(scenario, mode, p)) {
             return Err(PlacementError::NothingMoves(chosen));
         }
         let wanted = if mode.is_oscillatory() {
@@ -103,7 +103,7 @@ impl Scenario {
             Complex::from(target.re)
         };
         let adjustable = |p: &&'static Parameter| {
-            let (value, range) = (p.get(self), p.range(self));
+            let (value, range) = (p.get(scenario), p.range(scenario));
             let (mut lower, mut upper) = (range.start().min(value), range.end().max(value));
             if NEGATIVE.contains(&p.key) && value < 0.0 {
                 upper = upper.min(0.0);
@@ -111,15 +111,17 @@ impl Scenario {
             if POSITIVE.contains(&p.key) && value > 0.0 {
                 lower = lower.max(0.0);
             }
-            Adjustable { value, lower, upper, scale: p.notable_change(self) }
+            Adjustable { value, lower, upper, scale: p.notable_change(scenario) }
         };
         let adjustables: Vec<Adjustable> = chosen.iter().map(adjustable).collect();
-        let with = |values: &[f64]| self.with_values(&chosen, &adjustables, values);
-        let matrix = |scenario: &Self| Some(scenario.edited.models().ok()?.planes[self.plane].as_ref()?.a);
+        let with = |values: &[f64]| with_values(scenario, &chosen, &adjustables, values);
+        let matrix = |moved: &Scenario| Some(moved.edited.models().ok()?.planes[scenario.plane].as_ref()?.a);
         let model = &|values: &[f64]| matrix(&with(values));
         let linearised = &|values: &[f64]| {
             let moved = with(values);
-            let rate = |p: &&'static Parameter| moved.matrix_rate(p).unwrap_or_else(Matrix4::zeros);
+            let rate = |p: &&'static Parameter| {
+                p.matrix_rate(&moved.edited, moved.plane).unwrap_or_else(Matrix4::zeros)
+            };
             Some(Linearised { a: matrix(&moved)?, rates: chosen.iter().map(rate).collect() })
         };
         let place = |to: Complex<f64>| place_pole(linearised, &adjustables, mode.lambda, to);
@@ -132,37 +134,11 @@ impl Scenario {
         Ok(Placed { scenario, lambda, wanted, obstacle, evaluations })
     }
 
-    fn moves(&self, mode: &Mode, parameter: &Parameter) -> bool {
-        let Some(a_rate) = self.matrix_rate(parameter) else { return false };
-        let size = mode.lambda.norm().max(f64::MIN_POSITIVE);
-        // Where two roots meet there is no rate, and every change moves them.
-        sensitivity(mode, &a_rate)
-            .rate()
-            .is_none_or(|rate| rate.lambda.norm() * parameter.notable_change(self) > STILL * size)
-    }
-
-    /// The same with parameters at other values than their present ones.
-    fn with_values(&self, parameters: &[&'static Parameter], present: &[Adjustable], values: &[f64]) -> Self {
-        let mut moved = self.clone();
-        for (p, (before, value)) in parameters.iter().zip(present.iter().zip(values)) {
-            if *value != before.value {
-                p.shift(&mut moved, before.value, *value);
-            }
-        }
-        moved
-    }
-
     /// The derivatives that a drag of a mode moves unless a person chooses others: those that a course would name. Where this
     /// aircraft's mode has no such name, the two that move it most.
-    pub fn movers(
-        &self,
-        modes: &[Mode],
-        index: usize,
-        page: Page,
-        rows: &[RowSensitivity],
-    ) -> Vec<&'static str> {
+    pub fn movers(&self, index: usize, page: Page) -> Vec<&'static str> {
         use ModeName as Name;
-        let Some(mode) = modes.get(index) else { return Vec::new() };
+        let Some(mode) = self.modes().get(index) else { return Vec::new() };
         let named: [&[&str]; 3] = match mode.naming.name {
             Name::ShortPeriod
             | Name::ShortPeriodFastRoot
@@ -188,10 +164,35 @@ impl Scenario {
             | Name::LateralDivergence => [&[], &[], &[]],
         };
         let named = Page::DERIVATIVES.iter().position(|other| *other == page).map_or(&[][..], |i| named[i]);
-        let all = by_strength(rows, index);
+        let all = by_strength(self.sensitivities(page), index);
         let known: Vec<&'static str> = all.iter().copied().filter(|key| named.contains(key)).collect();
         if known.is_empty() { all.into_iter().take(2).collect() } else { known }
     }
+}
+
+fn moves(scenario: &Scenario, mode: &Mode, parameter: &Parameter) -> bool {
+    let Some(a_rate) = parameter.matrix_rate(&scenario.edited, scenario.plane) else { return false };
+    let size = mode.lambda.norm().max(f64::MIN_POSITIVE);
+    // Where two roots meet there is no rate, and every change moves them.
+    sensitivity(mode, &a_rate)
+        .rate()
+        .is_none_or(|rate| rate.lambda.norm() * parameter.notable_change(scenario) > STILL * size)
+}
+
+/// A scenario with parameters at other values than their present ones.
+fn with_values(
+    scenario: &Scenario,
+    parameters: &[&'static Parameter],
+    present: &[Adjustable],
+    values: &[f64],
+) -> Scenario {
+    let mut moved = scenario.clone();
+    for (p, (before, value)) in parameters.iter().zip(present.iter().zip(values)) {
+        if *value != before.value {
+            p.shift(&mut moved, before.value, *value);
+        }
+    }
+    moved
 }
 
 /// The placement, if it is the pole at `from` that has come there. Where that pole would have to part or meet another on the way,
@@ -303,17 +304,4 @@ fn gap_to_real_root(a: &Matrix4<f64>, lambda: Complex<f64>) -> Option<f64> {
     gaps.sort_by(f64::total_cmp);
     // The first is the root itself.
     gaps.get(1).copied()
-}
-
-/// Keys of the rows that move a mode, the strongest first.
-pub fn by_strength(rows: &[RowSensitivity], index: usize) -> Vec<&'static str> {
-    let strength = |row: &RowSensitivity| row.strengths.get(index).copied().flatten();
-    let mut moving: Vec<(&'static str, f64)> = rows
-        .iter()
-        // No strength: at a repeated root every row moves it.
-        .map(|row| (row.key, strength(row).unwrap_or(f64::MAX)))
-        .filter(|(_, strength)| *strength > STILL)
-        .collect();
-    moving.sort_by(|a, b| b.1.total_cmp(&a.1));
-    moving.into_iter().map(|(key, _)| key).collect()
 }

@@ -1,6 +1,6 @@
 //! The time shown: as long as the slowest mode that the disturbance makes visible takes to be seen.
 
-use super::{Scenario, Source};
+use super::Findings;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::experiment::{Experiment, forced};
@@ -8,6 +8,7 @@ use crate::flight::motion::modal_sum::modal_sum;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::{TimeGrid, respond};
 use crate::number::round_up;
+use crate::scenario::{Scenario, Source};
 
 /// A mode is visible whose part reaches this share of the whole in one of the states: a dozen points of a small plot.
 const VISIBLE: f64 = 0.1;
@@ -51,46 +52,45 @@ fn length(mode: &Mode) -> f64 {
     wanted.clamp(LENGTHS.0, LENGTHS.1)
 }
 
-impl Scenario {
-    /// Brings the time shown to the slowest mode that is seen, if it is to follow and is far from that. `analysed` is what follows
-    /// for the plane on screen.
-    pub fn follow(&mut self, analysed: &PlaneAnalysis) {
-        if !self.disturbance.follows {
-            return;
-        }
-        let Some(wanted) = self.time_to_see(analysed) else { return };
-        let time = &mut self.disturbance.sizes.time;
-        if !(CALM.0 * wanted..=CALM.1 * wanted).contains(time) {
-            *time = round_up(wanted);
+impl Findings {
+    /// The time to be shown \[s\]: where it is to follow, that of the slowest mode that is seen, unless it is near that already.
+    pub fn time_shown(&self) -> f64 {
+        let disturbance = &self.scenario.disturbance;
+        let time = disturbance.sizes.time;
+        match self.time_to_see().filter(|_| disturbance.follows) {
+            Some(wanted) if !(CALM.0 * wanted..=CALM.1 * wanted).contains(&time) => round_up(wanted),
+            _ => time,
         }
     }
 
     /// Time in which the slowest visible mode is seen, and the disturbance to its end \[s\]; `None` where nothing is visible.
-    pub fn time_to_see(&self, analysed: &PlaneAnalysis) -> Option<f64> {
-        let modes = &analysed.modes;
-        let choice = &self.disturbance.choices[self.plane];
-        if choice.source == Source::OneMode {
-            return modes.get(choice.mode).or(modes.last()).map(seen_in);
-        }
-        let mut lengths: Vec<(usize, f64)> = modes.iter().map(length).enumerate().collect();
-        lengths.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-        // Turbulence has something for every mode.
-        let all = choice.source == Source::Turbulence;
-        let seen = |&(i, length): &(usize, f64)| all || self.shows(analysed, i, length);
-        let (_, slowest) = lengths.into_iter().find(seen)?;
-        let disturbance = self.disturbance.input(self.plane);
-        let end = disturbance.and_then(|(_, input)| input.edges().last()).unwrap_or(0.0);
-        Some(slowest.max(end + LENGTHS.0).min(LONGEST))
+    pub fn time_to_see(&self) -> Option<f64> {
+        *self.time_to_see.get_or_init(|| {
+            let Scenario { plane, disturbance, .. } = &self.scenario;
+            let modes = &self.plane()?.modes;
+            let choice = &disturbance.choices[*plane];
+            if choice.source == Source::OneMode {
+                return modes.get(choice.mode).or(modes.last()).map(seen_in);
+            }
+            let mut lengths: Vec<(usize, f64)> = modes.iter().map(length).enumerate().collect();
+            lengths.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+            // Turbulence has something for every mode.
+            let all = choice.source == Source::Turbulence;
+            let seen = |&(i, length): &(usize, f64)| all || self.shows(i, length);
+            let (_, slowest) = lengths.into_iter().find(seen)?;
+            let end = disturbance.input(*plane).and_then(|(_, input)| input.edges().last()).unwrap_or(0.0);
+            Some(slowest.max(end + LENGTHS.0).min(LONGEST))
+        })
     }
 
     /// Whether a mode is visible in the motion of so much time \[s\]; all are where they can't be told apart.
-    fn shows(&self, analysed: &PlaneAnalysis, index: usize, duration: f64) -> bool {
-        let PlaneAnalysis { model, modes, .. } = analysed;
-        let Experiment { inputs, start, .. } = self.experiment();
-        let forced = forced(&self.edited, model, &inputs, start, modes);
+    fn shows(&self, index: usize, duration: f64) -> bool {
+        let Some(PlaneAnalysis { model, modes, .. }) = self.plane() else { return false };
+        let Experiment { inputs, start, .. } = self.scenario.experiment();
+        let forced = forced(&self.scenario.edited, model, &inputs, start, modes);
         let response = respond(&forced, TimeGrid { duration, steps: STEPS });
         let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        Output::of(self.plane).iter().take(4).any(|output| {
+        Output::of(self.scenario.plane).iter().take(4).any(|output| {
             let row = output.row(model, &forced);
             let whole = largest(&row.of(&forced, &response).collect::<Vec<f64>>());
             match modal_sum(modes, &row, &forced, &response) {

@@ -3,7 +3,7 @@
 
 use nalgebra::{Vector2, Vector4};
 
-use super::Scenario;
+use super::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
 use crate::flight::aircraft::study::Study;
@@ -11,19 +11,20 @@ use crate::flight::analysis::{Motion, STANDARD_GRAVITY};
 use crate::flight::motion::flight_path::FlightPath;
 use crate::flight::motion::outputs::Output;
 use crate::flight::{Channel, Start};
+use crate::scenario::Scenario;
 
 /// The largest angle that a mode flown alone is made to show \[rad\].
 const EXAGGERATED_TO: f64 = 0.25;
 
-/// A motion as it is flown on screen: the linear one, or the nonlinear where that is asked for.
+/// A motion as the aircraft flies it on screen: the linear one, or the nonlinear where that is asked for.
 #[derive(Clone, Copy, Debug)]
-pub struct Flown<'a> {
-    /// What is studied.
+pub struct Trajectory<'a> {
+    /// The scenario that it follows from.
     pub scenario: &'a Scenario,
     /// The linear motion.
     pub motion: &'a Motion,
-    /// The nonlinear flight, to be shown instead.
-    pub flight: Option<&'a FlightPath>,
+    /// The nonlinear flight, shown in its place.
+    flight: Option<&'a FlightPath>,
 }
 
 /// The aircraft at one moment. Angles in radians, lengths in metres, SI.
@@ -60,7 +61,18 @@ pub struct MomentArrow {
     pub damps: bool,
 }
 
-impl Flown<'_> {
+impl Findings {
+    /// The motion as it is flown; the nonlinear flight if that is asked for and there is one.
+    pub fn trajectory(&self, nonlinear: bool) -> Option<Trajectory<'_>> {
+        let motion = self.motion()?;
+        let flight = if nonlinear { self.flight() } else { None };
+        let flight =
+            flight.and_then(|flight| flight.as_ref().ok()).filter(|flight| !flight.samples.is_empty());
+        Some(Trajectory { scenario: &self.scenario, motion, flight })
+    }
+}
+
+impl Trajectory<'_> {
     /// How much larger than it is the motion is shown: only a mode flown alone is, by a round factor.
     pub fn exaggeration(&self) -> f64 {
         if !self.is_one_mode() {
@@ -97,7 +109,7 @@ impl Flown<'_> {
         let t = time.clamp(0.0, self.end());
         let values = |output: Output| self.at(output, t);
         let large = |output: Output| exaggeration * values(output);
-        let fuselage = self.scenario.fuselage_incidence();
+        let fuselage = self.fuselage_incidence();
         let (position, steady_position) = self.position(t, exaggeration);
         let mut pose = Pose {
             attitude: [large(Output::BankAngle), large(Output::PitchAngle), large(Output::Heading)],
@@ -231,7 +243,7 @@ impl Flown<'_> {
         let drag = steady_drag * (1.0 + 2.0 * u / trim.speed);
         let thrust = steady_drag + weight * sin_climb;
         let ((sin_a, cos_a), (sin_b, cos_b)) = (pose.alpha.sin_cos(), pose.beta.sin_cos());
-        let trim_alpha = trim.alpha0 + self.scenario.fuselage_incidence();
+        let trim_alpha = trim.alpha0 + self.fuselage_incidence();
         let [phi, theta, _] = pose.attitude;
         let down = [-theta.sin(), theta.cos() * phi.sin(), theta.cos() * phi.cos()];
         Some([
@@ -241,12 +253,10 @@ impl Flown<'_> {
             [-drag * cos_a * cos_b, -drag * sin_b, -drag * sin_a * cos_b],
         ])
     }
-}
 
-impl Scenario {
     /// Angle of attack of the fuselage beyond the α₀ of the model's axes \[rad\]: of stability axes all of it.
     fn fuselage_incidence(&self) -> f64 {
-        match &self.edited.study {
+        match &self.scenario.edited.study {
             Study::Coefficients(study) => {
                 let change = study.derive().map_or(0.0, |derived| derived.flight.alpha_change);
                 study.reference.alpha0 + change

@@ -1,0 +1,213 @@
+//! Everything that follows from a scenario, in one place: each result is found once, when it is first asked for.
+//!
+//! Page, command line, JSON and JavaScript read the same [`Findings`], so that none of them can say something else than another.
+//!
+//! | file | in one line |
+//! |---|---|
+//! | `sensitivities` | how strongly each parameter moves each mode |
+//! | `locus` | the path along which a parameter sends the poles |
+//! | `placement` | which parameters bring a pole to a place, and why no further |
+//! | `time_shown` | the time in which the slowest visible mode is seen |
+//! | `trajectory` | the aircraft at one moment of its motion |
+//! | `metrics` | the numbers a course asks of a motion |
+//! | `frequency` | gain, phase and peaks over frequency |
+
+mod frequency;
+mod locus;
+mod metrics;
+mod placement;
+mod sensitivities;
+mod time_shown;
+mod trajectory;
+
+use std::cell::{OnceCell, RefCell};
+
+use thiserror::Error;
+
+use crate::flight::aircraft::coefficients::Coefficients;
+use crate::flight::aircraft::study::Study;
+use crate::flight::analysis::{GravityCheck, Motion, PlaneAnalysis, motion};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::stability::Stability;
+use crate::flight::motion::experiment::fly;
+use crate::flight::motion::flight_path::FlightPath;
+use crate::flight::motion::modal_sum::{ModalSum, SplitError};
+use crate::flight::motion::outputs::Output;
+use crate::flight::motion::six_dof::SixDofError;
+use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
+use crate::flight::{Analysis, AnalysisError, Experiment};
+use crate::scenario::{Page, Scenario};
+
+pub use frequency::FrequencyResponse;
+pub use metrics::{Extreme, Metrics, OutputMetrics};
+pub use placement::{Obstacle, Placed, PlacementError};
+pub use sensitivities::{RowSensitivity, by_strength};
+pub use time_shown::seen_in;
+pub use trajectory::{MomentArrow, Pose, Trajectory};
+
+/// A scenario with everything that follows from it.
+#[derive(Debug)]
+pub struct Findings {
+    scenario: Scenario,
+    analysis: OnceCell<Result<Analysis, AnalysisError>>,
+    /// One a page of sliders.
+    sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::DERIVATIVES.len()],
+    coefficients: OnceCell<Option<Coefficients>>,
+    level_boundaries: OnceCell<Vec<Boundary>>,
+    flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,
+    splits: OfOutputs<Result<ModalSum, SplitError>>,
+    frequency: OfOutputs<FrequencyResponse>,
+    metrics: OnceCell<Option<Metrics>>,
+    time_to_see: OnceCell<Option<f64>>,
+    locus: RefCell<Option<locus::Known>>,
+}
+
+/// A result for each output of the plane on screen, `None` where nothing moves; in the order of [`Output::of`].
+type OfOutputs<T> = Vec<OnceCell<Option<T>>>;
+
+/// Why nothing follows for the plane on screen.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Problem {
+    /// It can't be analysed.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+    /// The aircraft's source says nothing of it.
+    #[error("the source has no data for this plane of motion")]
+    NoData,
+}
+
+/// Something that a person should know before they believe the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Remark {
+    /// Gravity and speed of the model can't belong to one system of units.
+    MixedUnits(GravityCheck),
+}
+
+impl Findings {
+    /// What follows from a scenario; nothing is computed yet.
+    pub fn of(scenario: Scenario) -> Self {
+        let outputs = Output::of(scenario.plane).len();
+        Self {
+            scenario,
+            analysis: OnceCell::new(),
+            sensitivities: Default::default(),
+            coefficients: OnceCell::new(),
+            level_boundaries: OnceCell::new(),
+            flight: OnceCell::new(),
+            splits: std::iter::repeat_with(OnceCell::new).take(outputs).collect(),
+            frequency: std::iter::repeat_with(OnceCell::new).take(outputs).collect(),
+            metrics: OnceCell::new(),
+            time_to_see: OnceCell::new(),
+            locus: RefCell::default(),
+        }
+    }
+
+    /// What follows from a scenario that has come out of this one by an edit: a locus is found again only if it is another.
+    pub fn after(&self, scenario: Scenario) -> Self {
+        Self { locus: self.locus.clone(), ..Self::of(scenario) }
+    }
+
+    /// The scenario that all of it follows from.
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// The analysis of both planes and the motion in the plane on screen.
+    pub fn analysis(&self) -> &Result<Analysis, AnalysisError> {
+        self.analysis.get_or_init(|| self.scenario.analyse())
+    }
+
+    /// Whether the analysis has been asked for.
+    pub fn is_analysed(&self) -> bool {
+        self.analysis.get().is_some()
+    }
+
+    /// The analysis of the plane on screen, where all went well.
+    pub fn plane(&self) -> Option<&PlaneAnalysis> {
+        self.analysis().as_ref().ok()?.planes[self.scenario.plane].as_ref()?.as_ref().ok()
+    }
+
+    /// Why there is no analysis of the plane on screen.
+    pub fn problem(&self) -> Option<Problem> {
+        match self.analysis() {
+            Err(error) => Some(error.clone().into()),
+            Ok(analysis) => match &analysis.planes[self.scenario.plane] {
+                Some(Ok(_)) => None,
+                Some(Err(error)) => Some(error.clone().into()),
+                None => Some(Problem::NoData),
+            },
+        }
+    }
+
+    /// The modes of the plane on screen; none where it has no analysis.
+    pub fn modes(&self) -> &[Mode] {
+        self.plane().map_or(&[], |plane| &plane.modes)
+    }
+
+    /// The first mode that grows, if one does: then a motion has no steady value and a sine no steady answer.
+    pub fn growing_mode(&self) -> Option<&Mode> {
+        self.modes().iter().find(|mode| mode.stability == Stability::Unstable)
+    }
+
+    /// The motion in the plane on screen.
+    pub fn motion(&self) -> Option<&Motion> {
+        self.analysis().as_ref().ok()?.motion.as_ref()
+    }
+
+    /// The same motion at other samples: `steps` between them, one less than their number.
+    pub fn motion_in(&self, steps: usize) -> Option<Motion> {
+        Some(motion(&self.scenario.edited, self.plane()?, &self.experiment_in(steps)))
+    }
+
+    /// The nonlinear flight through the same disturbance, or why there is none.
+    pub fn flight(&self) -> Option<&Result<FlightPath, SixDofError>> {
+        let flight = || self.flight_in(self.motion()?.experiment.grid.steps);
+        self.flight.get_or_init(flight).as_ref()
+    }
+
+    /// The same flight at other samples: `steps` between them.
+    pub fn flight_in(&self, steps: usize) -> Option<Result<FlightPath, SixDofError>> {
+        let PlaneAnalysis { model, modes, .. } = self.plane()?;
+        Some(fly(&self.scenario.edited, model, modes, &self.experiment_in(steps)))
+    }
+
+    fn experiment_in(&self, steps: usize) -> Experiment {
+        let mut experiment = self.scenario.experiment();
+        experiment.grid.steps = steps;
+        experiment
+    }
+
+    /// An output of the motion split into the parts of the modes.
+    pub fn split(&self, output: Output) -> Option<&Result<ModalSum, SplitError>> {
+        let split = || Some(self.motion()?.split(self.modes(), output));
+        self.splits.get(self.index(output)?)?.get_or_init(split).as_ref()
+    }
+
+    /// The place of an output among those of the plane on screen.
+    fn index(&self, output: Output) -> Option<usize> {
+        Output::of(self.scenario.plane).iter().position(|other| *other == output)
+    }
+
+    /// The coefficients as knobs and flight condition make them; `None` where the source has none or there is no such flight.
+    pub fn coefficients(&self) -> Option<&Coefficients> {
+        let derived = || match &self.scenario.edited.study {
+            Study::Coefficients(study) => Some(study.derive().ok()?.coefficients),
+            Study::Derivatives(_) | Study::Matrices(_) => None,
+        };
+        self.coefficients.get_or_init(derived).as_ref()
+    }
+
+    /// The limits of the handling-quality levels in the complex plane; none where the aircraft has no class.
+    pub fn level_boundaries(&self) -> &[Boundary] {
+        self.level_boundaries.get_or_init(|| {
+            let judged = self.scenario.task().zip(self.plane());
+            judged.map_or_else(Vec::new, |(task, plane)| level_boundaries(&plane.model, &plane.modes, task))
+        })
+    }
+
+    /// What a person should know before they believe the numbers.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let gravity = self.analysis().as_ref().ok().and_then(|analysis| analysis.gravity);
+        gravity.filter(|gravity| !gravity.is_plausible()).map(Remark::MixedUnits).into_iter().collect()
+    }
+}

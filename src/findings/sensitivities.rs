@@ -1,0 +1,68 @@
+//! How strongly each parameter of a page moves each mode.
+
+use super::Findings;
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::sensitivity::{Sensitivity, sensitivity};
+use crate::scenario::{Page, Parameter, Scenario, parameters};
+
+/// A parameter that moves |λ| by less than this fraction for a notable change of its own doesn't move the pole.
+pub(super) const STILL: f64 = 1e-6;
+
+/// How one parameter moves the modes of the studied plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowSensitivity {
+    /// Key of the parameter.
+    pub key: &'static str,
+    /// The change of the parameter that is meant \[SI\]: ten per cent more of its size, or a sixtieth of its slider where it is near zero.
+    pub change: f64,
+    /// One a mode, in the order of the analysis, per unit of the parameter.
+    pub modes: Vec<Sensitivity>,
+    /// Size of the move of each λ relative to |λ| for that change; `None` at a repeated root.
+    pub strengths: Vec<Option<f64>>,
+}
+
+impl Findings {
+    /// The sensitivities of every parameter on a page that the aircraft has; none where the plane has no analysis.
+    pub fn sensitivities(&self, page: Page) -> &[RowSensitivity] {
+        let of_page = Page::DERIVATIVES.iter().zip(&self.sensitivities).find(|(other, _)| **other == page);
+        let Some((_, rows)) = of_page else { return &[] };
+        rows.get_or_init(|| {
+            let Some(analysed) = self.plane() else { return Vec::new() };
+            parameters()
+                .filter(|p| p.is_shown(&self.scenario, page))
+                .filter_map(|p| row(&self.scenario, analysed, p))
+                .collect()
+        })
+    }
+}
+
+fn row(
+    scenario: &Scenario,
+    analysis: &PlaneAnalysis,
+    parameter: &'static Parameter,
+) -> Option<RowSensitivity> {
+    let a_rate = parameter.matrix_rate(&scenario.edited, scenario.plane)?;
+    let change = parameter.notable_change(scenario);
+    let modes: Vec<Sensitivity> = analysis.modes.iter().map(|mode| sensitivity(mode, &a_rate)).collect();
+    let fastest = analysis.modes.iter().map(|mode| mode.lambda.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    let strength = |(mode, sensitivity): (&Mode, &Sensitivity)| {
+        let size = mode.lambda.norm().max(1e-3 * fastest);
+        sensitivity.rate().map(|rate| (rate.lambda.norm() * change / size).min(f64::MAX))
+    };
+    let strengths = analysis.modes.iter().zip(&modes).map(strength).collect();
+    Some(RowSensitivity { key: parameter.key, change, modes, strengths })
+}
+
+/// Keys of the rows that move a mode, the strongest first.
+pub fn by_strength(rows: &[RowSensitivity], index: usize) -> Vec<&'static str> {
+    let strength = |row: &RowSensitivity| row.strengths.get(index).copied().flatten();
+    let mut moving: Vec<(&'static str, f64)> = rows
+        .iter()
+        // No strength: at a repeated root every row moves it.
+        .map(|row| (row.key, strength(row).unwrap_or(f64::MAX)))
+        .filter(|(_, strength)| *strength > STILL)
+        .collect();
+    moving.sort_by(|a, b| b.1.total_cmp(&a.1));
+    moving.into_iter().map(|(key, _)| key).collect()
+}

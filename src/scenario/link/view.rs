@@ -1,0 +1,228 @@
+//! How a scene is looked at, in a link: what an instructor sets before sending it. Only what differs from the page as it opens is
+//! written.
+//!
+//! A value that is no good is left out as a whole, with one sentence.
+
+use super::super::view::{
+    Camera, Details, FlightView, Marks, Overlays, Pace, ResponseView, StandardView, View,
+};
+use super::super::{Quantity, Scenario};
+use super::notice::{Notice, quoted};
+use super::pieces::Pieces;
+use super::words;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::outputs::Output;
+
+impl View {
+    /// The pieces of a link that differ from the page as it opens.
+    pub(super) fn write(&self, scenario: &Scenario) -> Vec<(String, String)> {
+        let usual = Self::of(scenario);
+        let page = if self.page.is_of(scenario) { self.page } else { usual.page };
+        let usual = usual.pieces();
+        let pieces = Self { page, ..self.clone() }.pieces();
+        pieces.into_iter().filter(|piece| !usual.contains(piece)).collect()
+    }
+
+    /// All pieces, in their order.
+    fn pieces(&self) -> Vec<(String, String)> {
+        let Self { page, maximised, marks, details, response, flight } = self;
+        let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
+        let mut pieces: Vec<(String, String)> = [
+            ("page", words::word_of(&words::PAGES, *page)),
+            ("tab", words::word_of(&words::TABS, response.tab)),
+            ("flight", words::word_of(&words::FLIGHTS, response.nonlinear)),
+        ]
+        .map(|(key, value)| (key.to_owned(), word(value)))
+        .into();
+        for plane in Plane::ALL {
+            let mut of_plane = |key, outputs: &[Output]| {
+                let keys: Vec<&str> = outputs.iter().map(|output| Quantity::of(*output).key).collect();
+                pieces.push((format!("{}.{key}", words::plane(plane)), keys.join(".")));
+            };
+            of_plane("show", &response.shown[plane]);
+            let portraits = response.portraits[plane].map(|(across, upward)| [across, upward]);
+            of_plane("phase", portraits.as_flattened());
+            of_plane("frequency_of", &[response.frequency_of[plane]]);
+        }
+        for (key, value) in [
+            ("split", word(words::word_of(&words::SPLITS, response.split))),
+            ("marks", listed(&words::MARKS, marks.flags())),
+            ("details", listed(&words::DETAILS, details.flags())),
+            ("pane", word(maximised.and_then(|pane| words::word_of(&words::PANES, pane)))),
+            ("camera", camera_text(flight.camera)),
+            ("drawn", listed(&words::OVERLAYS, flight.overlays.flags())),
+            ("rate", word(words::word_of(&words::RATES, flight.pace.rate))),
+            ("loop", word(words::word_of(&words::LOOPS, flight.pace.is_looping))),
+        ] {
+            pieces.push((key.to_owned(), value));
+        }
+        pieces
+    }
+
+    /// Takes its pieces out of a link.
+    pub(super) fn read(pieces: &mut Pieces, scenario: &Scenario) -> Self {
+        let mut view = Self::of(scenario);
+        view.response.read(pieces);
+        if let Some([approximations, levels]) = take(pieces, "marks", |text| flags(&words::MARKS, text)) {
+            view.marks = Marks { approximations, levels };
+        }
+        if let Some([shape, levels, approximations]) =
+            take(pieces, "details", |text| flags(&words::DETAILS, text))
+        {
+            view.details = Details { shape, levels, approximations };
+        }
+        view.maximised = pieces.take_word("pane", &words::PANES);
+        view.flight.read(pieces);
+        if let Some(page) = pieces.take_word("page", &words::PAGES) {
+            if page.is_of(scenario) {
+                view.page = page;
+            } else {
+                let aircraft = scenario.aircraft.name.clone();
+                pieces.notices.push(Notice::Page { page: page.text(), aircraft });
+            }
+        }
+        let response = &mut view.response;
+        response.tab = pieces.take_word("tab", &words::TABS).unwrap_or(response.tab);
+        response.nonlinear = pieces.take_word("flight", &words::FLIGHTS).unwrap_or(response.nonlinear);
+        view
+    }
+}
+
+impl ResponseView {
+    /// Takes what there is one a plane, and whether motions are split.
+    fn read(&mut self, pieces: &mut Pieces) {
+        for plane in Plane::ALL {
+            let key = |key| format!("{}.{key}", words::plane(plane));
+            if let Some(mut shown) = take(pieces, &key("show"), |text| outputs(plane, text)) {
+                // In the order of the page, whatever the order of the link.
+                shown.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
+                shown.dedup();
+                self.shown[plane] = shown;
+            }
+            let four = |text: &str| <[Output; 4]>::try_from(outputs(plane, text)?).ok();
+            if let Some([a, b, c, d]) = take(pieces, &key("phase"), four) {
+                self.portraits[plane] = [(a, b), (c, d)];
+            }
+            let one = |text: &str| <[Output; 1]>::try_from(outputs(plane, text)?).ok();
+            if let Some([output]) = take(pieces, &key("frequency_of"), one) {
+                self.frequency_of[plane] = output;
+            }
+        }
+        self.split = pieces.take_word("split", &words::SPLITS).unwrap_or(self.split);
+    }
+}
+
+impl FlightView {
+    fn read(&mut self, pieces: &mut Pieces) {
+        self.camera = take(pieces, "camera", read_camera).unwrap_or_default();
+        if let Some([body_axes, earth_axes, angles, rates, forces, flow, path, moments]) =
+            take(pieces, "drawn", |text| flags(&words::OVERLAYS, text))
+        {
+            self.overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
+        }
+        let Pace { rate, is_looping } = &mut self.pace;
+        *rate = pieces.take_word("rate", &words::RATES).unwrap_or(*rate);
+        *is_looping = pieces.take_word("loop", &words::LOOPS).unwrap_or(*is_looping);
+    }
+}
+
+impl Marks {
+    const fn flags(self) -> [bool; 2] {
+        [self.approximations, self.levels]
+    }
+}
+
+impl Details {
+    const fn flags(self) -> [bool; 3] {
+        [self.shape, self.levels, self.approximations]
+    }
+}
+
+impl Overlays {
+    const fn flags(self) -> [bool; 8] {
+        let Self { body_axes, earth_axes, angles, rates, forces, flow, path, moments } = self;
+        [body_axes, earth_axes, angles, rates, forces, flow, path, moments]
+    }
+}
+
+/// A standard view by its word, any other in whole degrees and per cent: short, and the same in every browser.
+fn camera_text(camera: Camera) -> String {
+    let standard = StandardView::ALL.into_iter().find(|view| view.camera() == camera);
+    match standard.and_then(|view| words::word_of(&words::STANDARD_VIEWS, view)) {
+        Some(word) => word.to_owned(),
+        None => {
+            let [azimuth, elevation] =
+                [camera.azimuth, camera.elevation].map(|x| x.to_degrees().round() as i16);
+            format!("{azimuth}.{elevation}.{}", (100.0 * camera.distance).round() as i16)
+        }
+    }
+}
+
+fn read_camera(text: &str) -> Option<Camera> {
+    if let Some(standard) = words::meaning_of(&words::STANDARD_VIEWS, text) {
+        return Some(standard.camera());
+    }
+    let numbers: Vec<i16> = text.split('.').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    let [azimuth, elevation, distance] = numbers[..] else { return None };
+    let fits =
+        (-180..=180).contains(&azimuth) && (-29..=90).contains(&elevation) && (50..=600).contains(&distance);
+    let [azimuth, elevation] = [azimuth, elevation].map(|x| f32::from(x).to_radians());
+    fits.then(|| Camera::new(azimuth, elevation, f32::from(distance) / 100.0))
+}
+
+/// The value of a key as `read` understands it; one that it doesn't is left out and told.
+fn take<T>(pieces: &mut Pieces, key: &str, read: impl Fn(&str) -> Option<T>) -> Option<T> {
+    let text = pieces.take(key)?;
+    let meant = read(&text);
+    if meant.is_none() {
+        pieces.notices.push(Notice::Word { key: quoted(key), word: quoted(&text) });
+    }
+    meant
+}
+
+/// Outputs of a plane, joined by points.
+fn outputs(plane: Plane, text: &str) -> Option<Vec<Output>> {
+    let output = |key| Output::of(plane).iter().find(|output| Quantity::of(**output).key == key).copied();
+    text.split('.').map(output).collect()
+}
+
+/// The words of what is on, joined by points.
+fn listed<const N: usize>(words: &[&str; N], flags: [bool; N]) -> String {
+    let on: Vec<&str> = words.iter().zip(flags).filter(|(_, on)| *on).map(|(word, _)| *word).collect();
+    if on.is_empty() { words::NOTHING.to_owned() } else { on.join(".") }
+}
+
+fn flags<const N: usize>(words: &[&str; N], text: &str) -> Option<[bool; N]> {
+    let mut flags = [false; N];
+    if text == words::NOTHING {
+        return Some(flags);
+    }
+    for part in text.split('.') {
+        flags[words.iter().position(|word| *word == part)?] = true;
+    }
+    Some(flags)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounded once, a camera is the same however often it is sent on.
+    #[test]
+    fn a_camera_that_has_been_sent_stays_where_it_is() {
+        let sent = |camera| read_camera(&camera_text(camera)).expect("a camera");
+        let mut camera = Camera::default();
+        for step in 0..200 {
+            camera.orbit(0.37, if step % 40 < 20 { 0.13 } else { -0.19 });
+            camera.zoom(if step % 14 < 7 { 1.4 } else { 0.7 });
+            let once = sent(camera);
+            assert_eq!(sent(once), once, "{camera:?}");
+            assert!((once.elevation - camera.elevation).abs() < 0.01, "{camera:?} {once:?}");
+            assert!((once.azimuth - camera.azimuth).abs() < 0.01, "{camera:?} {once:?}");
+            assert!((once.distance - camera.distance).abs() < 0.006, "{camera:?} {once:?}");
+        }
+        for view in StandardView::ALL {
+            assert_eq!(sent(view.camera()), view.camera());
+        }
+    }
+}

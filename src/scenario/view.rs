@@ -1,0 +1,291 @@
+//! How a person looks at a scenario. It is no part of what is studied: undo leaves it alone, but a link carries it.
+//!
+//! Only what outlasts a frame and can be told to others is here. Where the pointer is, what is held and pictures that are kept stay
+//! with the panes.
+
+use std::f32::consts::{FRAC_PI_2, PI};
+
+use super::{Page, Scenario};
+use crate::flight::aircraft::plane::ByPlane;
+use crate::flight::motion::outputs::Output;
+
+/// How a person looks at a scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// The page of sliders.
+    pub page: Page,
+    /// The pane alone beside the sliders.
+    pub maximised: Option<Pane>,
+    /// What is marked on the pole map.
+    pub marks: Marks,
+    /// What the cards of the modes show.
+    pub details: Details,
+    /// How the motion is shown.
+    pub response: ResponseView,
+    /// How the aircraft in flight is shown.
+    pub flight: FlightView,
+}
+
+impl View {
+    /// The page as it opens with a scenario.
+    pub fn of(scenario: &Scenario) -> Self {
+        Self {
+            page: Page::of(scenario),
+            maximised: None,
+            marks: Marks::default(),
+            details: Details::default(),
+            response: ResponseView::default(),
+            flight: FlightView::default(),
+        }
+    }
+}
+
+/// A pane that can stand alone beside the sliders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pane {
+    /// The pole map.
+    Poles,
+    /// The aircraft in flight.
+    Aircraft,
+    /// The responses.
+    Response,
+}
+
+/// What is marked on the pole map beside the poles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Marks {
+    /// Where the textbook approximations put the poles.
+    pub approximations: bool,
+    /// The boundaries of the handling-quality levels.
+    pub levels: bool,
+}
+
+/// Which details the cards of the modes show, of all modes alike, so that modes can be compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Details {
+    /// The shape of the mode.
+    pub shape: bool,
+    /// What sets its level.
+    pub levels: bool,
+    /// Its textbook approximations.
+    pub approximations: bool,
+}
+
+/// How the motion is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResponseView {
+    /// In which way.
+    pub tab: Tab,
+    /// Whether the nonlinear flight is drawn beside the linear motion.
+    pub nonlinear: bool,
+    /// Shown over time, of each plane, in the order of its outputs; never nothing.
+    pub shown: ByPlane<Vec<Output>>,
+    /// Whether motions over time are split into modes.
+    pub split: bool,
+    /// Two phase portraits of each plane, (across, upward): one for the fast mode, one for the slow.
+    pub portraits: ByPlane<[(Output, Output); 2]>,
+    /// The output of the frequency response, of each plane.
+    pub frequency_of: ByPlane<Output>,
+}
+
+impl Default for ResponseView {
+    fn default() -> Self {
+        use Output::{
+            AngleOfAttack, BankAngle, ForwardSpeed, Heading, Height, PitchAngle, PitchRate, RollRate,
+            Sideslip, YawRate,
+        };
+        Self {
+            tab: Tab::default(),
+            nonlinear: false,
+            shown: ByPlane {
+                longitudinal: vec![ForwardSpeed, AngleOfAttack, PitchRate, PitchAngle, Height],
+                lateral: vec![Sideslip, RollRate, YawRate, BankAngle, Heading],
+            },
+            split: false,
+            portraits: ByPlane {
+                longitudinal: [(AngleOfAttack, PitchRate), (ForwardSpeed, PitchAngle)],
+                lateral: [(Sideslip, RollRate), (Sideslip, YawRate)],
+            },
+            frequency_of: ByPlane { longitudinal: PitchRate, lateral: Sideslip },
+        }
+    }
+}
+
+impl ResponseView {
+    /// Whether the nonlinear flight is on screen.
+    pub fn shows_flight(&self) -> bool {
+        self.nonlinear && matches!(self.tab, Tab::Time | Tab::Phase)
+    }
+}
+
+/// In which way the response is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// Over time.
+    #[default]
+    Time,
+    /// One output over another.
+    Phase,
+    /// Over frequency.
+    Frequency,
+    /// In numbers.
+    Metrics,
+}
+
+impl Tab {
+    /// All, in the order of the page.
+    pub const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Metrics];
+
+    /// The words on screen.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Time => "Time",
+            Self::Phase => "Phase",
+            Self::Frequency => "Frequency",
+            Self::Metrics => "Numbers",
+        }
+    }
+}
+
+/// How the aircraft in flight is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FlightView {
+    /// From where.
+    pub camera: Camera,
+    /// What is drawn over it.
+    pub overlays: Overlays,
+    /// How it is played.
+    pub pace: Pace,
+}
+
+/// How a motion is played.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Seconds of motion in a second.
+    pub rate: f64,
+    /// Whether it begins again at its end.
+    pub is_looping: bool,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { rate: 1.0, is_looping: true }
+    }
+}
+
+/// From where the aircraft is seen: around it at a distance, always upright, so that the horizon stays level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Around the aircraft \[rad\]: 0 behind it, a quarter of a turn on its right.
+    pub azimuth: f32,
+    /// Above the aircraft \[rad\].
+    pub elevation: f32,
+    /// Distance over the one at which the aircraft fills the pane.
+    pub distance: f32,
+}
+
+/// Nearest and farthest distance, over the one at which the aircraft fills the pane; never within the aircraft.
+const ZOOM: (f32, f32) = (0.5, 6.0);
+/// It looks up no more than this, and down no more than nearly upright \[rad\].
+const LOWEST: f32 = -0.5;
+const STEEPEST: f32 = FRAC_PI_2 - 0.001;
+
+/// The views that have a button and a key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StandardView {
+    /// From the right, ahead and above.
+    ThreeQuarter,
+    /// From behind.
+    Chase,
+    /// From the right.
+    Side,
+    /// From above.
+    Top,
+}
+
+impl StandardView {
+    /// All, in the order of their keys 1 to 4.
+    pub const ALL: [Self; 4] = [Self::ThreeQuarter, Self::Chase, Self::Side, Self::Top];
+
+    /// Its camera.
+    pub const fn camera(self) -> Camera {
+        let (azimuth, elevation, distance) = match self {
+            Self::ThreeQuarter => (2.2, 0.27, 1.0),
+            Self::Chase => (0.0, 0.22, 1.0),
+            Self::Side => (FRAC_PI_2, 0.04, 1.0),
+            // Its length stands upright, where there is less room.
+            Self::Top => (0.0, STEEPEST, 1.5),
+        };
+        Camera { azimuth, elevation, distance }
+    }
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        StandardView::ThreeQuarter.camera()
+    }
+}
+
+impl Camera {
+    /// A camera within its limits.
+    pub fn new(azimuth: f32, elevation: f32, distance: f32) -> Self {
+        Self {
+            azimuth,
+            elevation: elevation.clamp(LOWEST, STEEPEST),
+            distance: distance.clamp(ZOOM.0, ZOOM.1),
+        }
+    }
+
+    /// Turned around the aircraft \[rad\].
+    pub fn orbit(&mut self, around: f32, up: f32) {
+        if around == 0.0 && up == 0.0 {
+            // Not even by rounding: a standard view is known by its numbers.
+            return;
+        }
+        self.azimuth = (self.azimuth + around + PI).rem_euclid(2.0 * PI) - PI;
+        self.elevation = (self.elevation + up).clamp(LOWEST, STEEPEST);
+    }
+
+    /// Nearer by a factor above 1, farther by one below.
+    pub fn zoom(&mut self, factor: f32) {
+        if factor > 0.0 {
+            self.distance = (self.distance / factor).clamp(ZOOM.0, ZOOM.1);
+        }
+    }
+}
+
+/// What is drawn over the aircraft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Overlays {
+    /// Axes of the body x, y, z.
+    pub body_axes: bool,
+    /// Axes of the Earth: north as flown, east, down.
+    pub earth_axes: bool,
+    /// Roll, pitch and yaw φ, θ, ψ.
+    pub angles: bool,
+    /// Angular rates p, q, r.
+    pub rates: bool,
+    /// Lift, weight, thrust, drag.
+    pub forces: bool,
+    /// Velocity, angle of attack and sideslip.
+    pub flow: bool,
+    /// The path flown.
+    pub path: bool,
+    /// The moments that push and damp.
+    pub moments: bool,
+}
+
+impl Default for Overlays {
+    fn default() -> Self {
+        Self {
+            body_axes: true,
+            earth_axes: false,
+            angles: true,
+            rates: false,
+            forces: true,
+            flow: true,
+            path: true,
+            moments: true,
+        }
+    }
+}

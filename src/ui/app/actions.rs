@@ -1,0 +1,141 @@
+//! What is not the edit of a number: done by a key, a button or at the end of a frame.
+
+use std::sync::Arc;
+
+use egui::Ui;
+
+use super::history::Scene;
+use super::{App, PhonePane, Pinned};
+use crate::content::Aircraft;
+use crate::findings::seen_in;
+use crate::flight::aircraft::plane::Plane;
+use crate::scenario::{Choice, Disturbance, Source};
+use crate::ui::keys::Command;
+use crate::ui::theme::Look;
+
+/// Something a person asked for that isn't the edit of a number. Applied last in a frame, in one place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Study another aircraft.
+    Load(Arc<Aircraft>),
+    /// Study the other plane of motion.
+    Turn(Plane),
+    /// Pin this state.
+    Pin,
+    /// Pin another aircraft as it is.
+    PinAircraft(Arc<Aircraft>),
+    /// Unpin what is pinned.
+    Unpin,
+    /// Go back one step.
+    Undo,
+    /// Go forward one step.
+    Redo,
+    /// Copy the whole scene as a link.
+    CopyLink,
+    /// Open the sheet of keys.
+    Help,
+}
+
+impl App {
+    /// Does what a key asks for, or says what is to be done last in the frame.
+    pub(super) fn obey(&mut self, ui: &Ui, command: Command) -> Option<Action> {
+        match command {
+            Command::Undo => return Some(Action::Undo),
+            Command::Redo => return Some(Action::Redo),
+            Command::Pin => return Some(if self.pinned.is_some() { Action::Unpin } else { Action::Pin }),
+            Command::CopyLink => return Some(Action::CopyLink),
+            Command::Play => self.panes.flight.toggle(),
+            Command::Maximise(pane) => {
+                self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
+            }
+            Command::Restore => {
+                self.view.maximised = None;
+                self.panes.help = false;
+            }
+            Command::Look => Look::of(ui.ctx()).next().set(ui.ctx()),
+            Command::Help => self.panes.help = !self.panes.help,
+        }
+        None
+    }
+
+    /// Does what was asked for; whatever was edited just before it is a step of its own.
+    pub(super) fn apply(&mut self, action: Action, ui: &Ui) {
+        let before = self.scene();
+        match action {
+            Action::Undo => {
+                let undone = self.history.undo(&before);
+                return self.restore(undone);
+            }
+            Action::Redo => {
+                let redone = self.history.redo(&before);
+                return self.restore(redone);
+            }
+            Action::CopyLink => return self.share.copy(ui, &self.link()),
+            Action::Help => {
+                self.panes.help = true;
+                return;
+            }
+            Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
+            Action::Turn(plane) => self.scenario.plane = plane,
+            Action::Pin => self.pinned = Some(Arc::new(Pinned::new(before.scenario.clone()))),
+            Action::PinAircraft(aircraft) => {
+                self.pinned = Some(Arc::new(Pinned::new(self.scenario.with_aircraft(aircraft))));
+            }
+            Action::Unpin => self.pinned = None,
+        }
+        self.history.end_step(&before);
+        self.history.keep(ui, &self.scene());
+    }
+
+    /// Flies a mode alone, long enough to see what becomes of it, or goes back to what was before.
+    pub(super) fn fly(&mut self, index: usize, flown: bool) {
+        let plane = self.scenario.plane;
+        let length = self.findings.modes().get(index).map(seen_in);
+        let disturbance = &mut self.scenario.disturbance;
+        let before = &mut self.panes.before_flight[plane];
+        if flown {
+            let standard = Disturbance::default();
+            let (choice, time) = before.unwrap_or((standard.choices[plane], standard.sizes.time));
+            disturbance.choices[plane] = choice;
+            disturbance.sizes.time = time;
+            self.panes.flight.pause();
+            return;
+        }
+        let choice = disturbance.choices[plane];
+        if choice.source != Source::OneMode {
+            *before = Some((choice, disturbance.sizes.time));
+        }
+        disturbance.choices[plane] = Choice { source: Source::OneMode, mode: index, ..choice };
+        disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
+        self.panes.flight.start();
+        // On a phone the aircraft is on another page than the card.
+        self.panes.phone_pane = PhonePane::Aircraft;
+    }
+
+    /// Keeps flying the mode that is flown alone where another has come before it in the order of the modes.
+    pub(super) fn hold_mode(&mut self) {
+        let plane = self.scenario.plane;
+        let choice = self.scenario.disturbance.choices[plane];
+        let modes = self.findings.modes();
+        if choice.source != Source::OneMode || modes.is_empty() {
+            self.panes.held = None;
+            return;
+        }
+        let name = |index: usize| modes.get(index).map(|mode| mode.naming.name);
+        let moved_to = match self.panes.held {
+            Some((of, index, held)) if (of, index) == (plane, choice.mode) && name(index) != Some(held) => {
+                modes.iter().position(|mode| mode.naming.name == held)
+            }
+            _ => None,
+        };
+        let index = moved_to.unwrap_or(choice.mode);
+        self.panes.held = name(index).map(|name| (plane, index, name));
+        self.scenario.disturbance.choices[plane].mode = index;
+    }
+
+    fn restore(&mut self, scene: Option<Scene>) {
+        if let Some(Scene { scenario, pinned }) = scene {
+            (self.scenario, self.pinned) = (scenario, pinned);
+        }
+    }
+}

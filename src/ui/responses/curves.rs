@@ -1,0 +1,143 @@
+//! The motion of a scenario as curves in shown units.
+
+use egui::Color32;
+
+use crate::content::LengthUnit;
+use crate::findings::Findings;
+use crate::flight::Channel;
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::analysis::Motion;
+use crate::flight::motion::modal_sum::{ModalSum, SplitError};
+use crate::flight::motion::outputs::Output;
+use crate::scenario::{Dimension, Quantity, Scenario};
+use crate::ui::chart::{Curve, Pattern, PlotPoint};
+use crate::ui::theme::Palette;
+use crate::words;
+
+/// An output as a curve of time.
+pub fn linear(
+    findings: &Findings,
+    output: Output,
+    unit: f64,
+    pattern: Pattern,
+    color: Color32,
+) -> Option<Curve> {
+    let name = if pattern == Pattern::Full { "linear" } else { "pinned" };
+    let motion = findings.motion()?;
+    Some(timed(motion, name, &motion.values(output), unit, pattern, color))
+}
+
+/// One output over another, in their units, with every sample divided into `parts`.
+pub fn portrait(
+    findings: &Findings,
+    parts: usize,
+    (across, upward): (Output, Output),
+    (across_unit, upward_unit): (f64, f64),
+    pattern: Pattern,
+    color: Color32,
+) -> Option<Curve> {
+    let name = if pattern == Pattern::Full { "linear" } else { "pinned" };
+    let motion = findings.motion_in(findings.motion()?.experiment.grid.steps * parts)?;
+    let values = motion.values(across).into_iter().zip(motion.values(upward));
+    let points = values.map(|(x, y)| PlotPoint::new(x / across_unit, y / upward_unit)).collect();
+    Some(Curve::new(name, points, color, pattern).drawn_for(motion.small_samples()))
+}
+
+/// An output of the nonlinear flight as a curve of time, where there is one.
+pub fn nonlinear(findings: &Findings, output: Output, unit: f64, palette: &Palette) -> Option<Curve> {
+    let flight = findings.flight()?.as_ref().ok()?;
+    let values = output.of_flight(&findings.motion()?.model, flight).into_iter().enumerate();
+    let points: Vec<PlotPoint> =
+        values.map(|(k, value)| PlotPoint::new(k as f64 * flight.dt, value / unit)).collect();
+    Some(Curve::new("nonlinear", points, palette.nonlinear, Pattern::Dotted))
+}
+
+/// The parts of the modes of an output, each in its colour.
+pub fn parts(
+    findings: &Findings,
+    output: Output,
+    unit: f64,
+    palette: &Palette,
+) -> Result<Vec<Curve>, SplitError> {
+    let (Some(motion), Some(split)) = (findings.motion(), findings.split(output)) else {
+        return Ok(Vec::new());
+    };
+    let ModalSum { parts, rest } = split.as_ref().map_err(Clone::clone)?;
+    let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let whole = parts.iter().map(|part| largest(part)).fold(0.0, f64::max);
+    let part = |name, values: &[f64], color| timed(motion, name, values, unit, Pattern::Filled, color);
+    let mut curves: Vec<Curve> = findings
+        .modes()
+        .iter()
+        .zip(parts)
+        .map(|(mode, values)| {
+            part(words::mode::title(mode.naming.name), values, palette.mode(mode.naming.name))
+        })
+        .collect();
+    // Rounding is no part.
+    if largest(rest) > 1e-6 * whole {
+        curves.push(part("no mode: input and drift", rest, palette.pinned));
+    }
+    Ok(curves)
+}
+
+fn timed(
+    motion: &Motion,
+    name: &'static str,
+    values: &[f64],
+    unit: f64,
+    pattern: Pattern,
+    color: Color32,
+) -> Curve {
+    let dt = motion.response.dt;
+    let point = |(k, value): (usize, &f64)| PlotPoint::new(k as f64 * dt, value / unit);
+    let points = values.iter().enumerate().map(point).collect();
+    Curve::new(name, points, color, pattern).drawn_for(motion.small_samples())
+}
+
+/// The inputs as they are, their edges upright, with the symbol of each and the dimension of all; none where nothing moves.
+pub fn inputs(findings: &Findings, palette: &Palette) -> Option<(Vec<&'static str>, Dimension, Vec<Curve>)> {
+    let experiment = &findings.motion()?.experiment;
+    let end = experiment.grid.duration;
+    let mut shown = None;
+    let mut symbols = Vec::new();
+    let mut curves = Vec::new();
+    for (i, (channel, input)) in experiment.inputs.iter().enumerate() {
+        let (symbol, name, dimension, sign) = input_words(experiment.plane, *channel);
+        let unit = sign * dimension.in_si(LengthUnit::Metre);
+        let mut times: Vec<f64> = (0..=experiment.grid.steps).map(|k| experiment.grid.time(k)).collect();
+        for edge in input.edges().filter(|&edge| edge > 0.0 && edge < end) {
+            // On either side of it, so that it stands upright.
+            times.extend([edge - 1e-9 * end, edge]);
+        }
+        times.sort_by(f64::total_cmp);
+        let points: Vec<PlotPoint> =
+            times.into_iter().map(|t| PlotPoint::new(t, input.at(t) / unit)).collect();
+        let (color, pattern) =
+            if i == 0 { (palette.text, Pattern::Full) } else { (palette.weak, Pattern::Dashed) };
+        curves.push(Curve::new(name, points, color, pattern));
+        symbols.push(symbol);
+        shown.get_or_insert(dimension);
+    }
+    shown.map(|dimension| (symbols, dimension, curves))
+}
+
+/// Symbol, name, dimension and the sign in which an input is shown: gusts as a pilot speaks of them, against z and x.
+pub const fn input_words(plane: Plane, channel: Channel) -> (&'static str, &'static str, Dimension, f64) {
+    match (plane, channel) {
+        (Plane::Longitudinal, Channel::First) => ("δ_e", "elevator", Dimension::Angle, 1.0),
+        (Plane::Longitudinal, Channel::Second) => ("δ_t", "throttle", Dimension::ShareOfWeight, 1.0),
+        (Plane::Lateral, Channel::First) => ("δ_a", "aileron", Dimension::Angle, 1.0),
+        (Plane::Lateral, Channel::Second) => ("δ_r", "rudder", Dimension::Angle, 1.0),
+        (_, Channel::AirAlong) => ("u_g", "air from ahead", Dimension::AirSpeed, -1.0),
+        (Plane::Longitudinal, Channel::AirAcross) => ("w_g", "rising air", Dimension::AirSpeed, -1.0),
+        (Plane::Lateral, Channel::AirAcross) => ("v_g", "air to the right", Dimension::AirSpeed, 1.0),
+    }
+}
+
+/// An output as it is written, its unit's symbol, and one of that unit in SI.
+pub fn units(output: Output, scenario: &Scenario) -> (Quantity, &'static str, f64) {
+    let quantity = Quantity::of(output);
+    let length = scenario.aircraft.length_unit;
+    (quantity, quantity.dimension.symbol(length), quantity.dimension.in_si(length))
+}

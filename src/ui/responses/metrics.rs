@@ -1,0 +1,126 @@
+//! The numbers a course asks of the motion on screen, as a table.
+
+use egui::{Grid, RichText, ScrollArea, Ui};
+
+use super::curves::units;
+use crate::findings::{Extreme, Findings, Metrics, OutputMetrics};
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::response_metrics::StepMetrics;
+use crate::number::significant;
+use crate::scenario::{Scenario, Source};
+use crate::ui::symbol::Symbol;
+use crate::ui::theme::{self, Palette};
+
+/// A table of every output, and what concerns the whole motion.
+pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
+    ScrollArea::vertical().id_salt("metrics").auto_shrink(false).show(ui, |ui| {
+        let plane = findings.scenario().plane;
+        let Some(metrics) = findings.metrics() else { return };
+        for line in of_the_whole(metrics, plane) {
+            ui.label(line);
+        }
+        for line in pinned.and_then(Findings::metrics).into_iter().flat_map(|pinned| of_the_whole(pinned, plane)) {
+            ui.label(format!("{line} (pinned)"));
+        }
+        ui.add_space(4.0);
+        table_ui(ui, findings.scenario(), metrics);
+        let about = if in_turbulence(findings.scenario()) {
+            "r.m.s.: root mean square of the change over the time shown, the measure of a motion without end or pattern."
+        } else {
+            "Rise: from 10 % to 90 % of the steady value. Settled: within 2 % of it for good. Both only after a step, \
+             and where every mode dies away."
+        };
+        ui.label(RichText::new(about).font(theme::small()).color(Palette::of(ui).weak));
+    });
+}
+
+/// Whether the air is irregular: then only averages say something of the aircraft.
+fn in_turbulence(scenario: &Scenario) -> bool {
+    scenario.disturbance.choices[scenario.plane].source == Source::Turbulence
+}
+
+/// Metrics of the whole motion, a sentence each.
+fn of_the_whole(metrics: &Metrics, plane: Plane) -> Vec<String> {
+    let seconds = |time: f64| format!("{} s", significant(time, 3));
+    let (load, digits) = match plane {
+        Plane::Longitudinal => ("change of load factor", 3),
+        Plane::Lateral => ("lateral load factor", 2),
+    };
+    let load = metrics.load_factor.map(|extreme| match extreme {
+        Extreme::Peak { value, time } => {
+            format!("Largest {load}: {} g at {}", significant(value, digits), seconds(time))
+        }
+        Extreme::Beyond(value) => format!(
+            "Largest {load}: beyond {} g, still growing where the linear model ends",
+            significant(value, digits)
+        ),
+    });
+    let swing = metrics
+        .phugoid_swing
+        .map(|height| format!("Phugoid, first swing of the height: {} m", significant(height, 3)));
+    let anticipation = metrics.control_anticipation.map(|parameter| {
+        format!(
+            "Control anticipation parameter, from this response: {} rad/s² per g",
+            significant(parameter, 3)
+        )
+    });
+    let banked = metrics.time_to_bank.map(|time| format!("30° of bank after {}", seconds(time)));
+    let lines = match plane {
+        Plane::Longitudinal => [load, swing, anticipation],
+        Plane::Lateral => [banked, load, None],
+    };
+    lines.into_iter().flatten().collect()
+}
+
+fn table_ui(ui: &mut Ui, scenario: &Scenario, metrics: &Metrics) {
+    let palette = Palette::of(ui);
+    let head = |ui: &mut Ui, text: &str| {
+        ui.label(RichText::new(text).font(theme::semibold(theme::sizes(ui).small)).color(palette.weak));
+    };
+    let random = in_turbulence(scenario);
+    let columns: &[&str] = if random { &["r.m.s."] } else { &["Steady", "Rise", "Settled", "Overshoot"] };
+    Grid::new("metrics").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
+        for text in ["", "", "Peak", "at"].iter().chain(columns) {
+            head(ui, text);
+        }
+        ui.end_row();
+        for of_output in &metrics.outputs {
+            let &OutputMetrics { output, extreme, steady, step, root_mean_square } = of_output;
+            let (quantity, unit_symbol, unit) = units(output, scenario);
+            let number = |si: Option<f64>| si.map_or_else(nothing, |si| significant(si / unit, 3));
+            ui.label(Symbol::parse(quantity.symbol).job(theme::sizes(ui).symbol, palette.text)).accessible_name(quantity.name);
+            ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
+                .on_hover_text(quantity.name);
+            let (most, time) = match extreme {
+                Some(Extreme::Peak { value, time }) => {
+                    (number(Some(value)), format!("{} s", significant(time, 3)))
+                }
+                Some(Extreme::Beyond(value)) => (format!("beyond {}", number(Some(value))), String::new()),
+                None => (nothing(), String::new()),
+            };
+            ui.label(most);
+            ui.label(time);
+            if random {
+                ui.label(number(root_mean_square));
+            } else {
+                ui.label(number(steady));
+                step_ui(ui, step);
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// What stands in a cell without a number.
+fn nothing() -> String {
+    "–".to_owned()
+}
+
+/// How fast a step is answered and how far over, in three cells.
+fn step_ui(ui: &mut Ui, step: Option<StepMetrics>) {
+    let seconds = |time: Option<f64>| time.map_or_else(nothing, |t| format!("{} s", significant(t, 3)));
+    ui.label(seconds(step.and_then(|f| f.rise_time)));
+    ui.label(seconds(step.map(|f| f.settling_time)));
+    let overshoot = step.map(|f| f.overshoot);
+    ui.label(overshoot.map_or_else(nothing, |share| format!("{} %", significant(100.0 * share, 3))));
+}
