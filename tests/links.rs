@@ -163,7 +163,7 @@ prop_compose! {
             apply(&mut pinned, &on_pinned);
             Scenario { disturbance: scene.disturbance, plane: scene.plane, ..pinned }
         });
-        let pages: Vec<Page> = Page::DERIVATIVES.into_iter().filter(|page| page.is_of(&scene)).collect();
+        let pages: Vec<Page> = Page::ALL.into_iter().filter(|page| page.is_of(&scene)).collect();
         let view = View { page: *page.get(&pages), ..view };
         (scene, view, pinned)
     }

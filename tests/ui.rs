@@ -32,7 +32,7 @@ fn every_parameter_of_every_page_and_plane_has_a_slider_and_a_field_by_name() {
         harness.get_by_label(words).click();
         harness.run();
         assert_eq!(app(&harness).scenario().plane, plane);
-        for page in Page::DERIVATIVES {
+        for page in Page::ALL {
             harness.get_by_label(page.text()).click();
             harness.run();
             let rows = rows(&harness, page);

@@ -8,8 +8,8 @@ use crate::flight::aircraft::plane::Plane;
 use crate::scenario::{Scenario, Shape, Source};
 use crate::words;
 
-/// The disturbances by the name that a request gives them. Their sizes are parameters of the table, of the page
-/// [`crate::scenario::Page::Disturbance`]: `elevator`, `gust`, `part` and so on, and `time` for how long the motion is watched.
+/// The disturbances by the name that a request gives them. Their sizes are parameters of the table:
+/// `elevator`, `gust`, `part` and so on, and `time` for how long the motion is watched.
 pub const DISTURBANCES: [(&str, Source); 10] = [
     ("elevator", Source::Elevator),
     ("throttle", Source::Throttle),

@@ -51,7 +51,7 @@ pub struct Findings {
     scenario: Scenario,
     analysis: OnceCell<Result<Analysis, AnalysisError>>,
     /// One a page of sliders.
-    sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::DERIVATIVES.len()],
+    sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::ALL.len()],
     coefficients: OnceCell<Option<Coefficients>>,
     level_boundaries: OnceCell<Vec<Boundary>>,
     flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,

@@ -163,7 +163,7 @@ impl Findings {
             | Name::LateralSubsidence
             | Name::LateralDivergence => [&[], &[], &[]],
         };
-        let named = Page::DERIVATIVES.iter().position(|other| *other == page).map_or(&[][..], |i| named[i]);
+        let named = Page::ALL.iter().position(|other| *other == page).map_or(&[][..], |i| named[i]);
         let all = by_strength(self.sensitivities(page), index);
         let known: Vec<&'static str> = all.iter().copied().filter(|key| named.contains(key)).collect();
         if known.is_empty() { all.into_iter().take(2).collect() } else { known }

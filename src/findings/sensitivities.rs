@@ -25,9 +25,7 @@ pub struct RowSensitivity {
 impl Findings {
     /// The sensitivities of every parameter on a page that the aircraft has; none where the plane has no analysis.
     pub fn sensitivities(&self, page: Page) -> &[RowSensitivity] {
-        let of_page = Page::DERIVATIVES.iter().zip(&self.sensitivities).find(|(other, _)| **other == page);
-        let Some((_, rows)) = of_page else { return &[] };
-        rows.get_or_init(|| {
+        self.sensitivities[page as usize].get_or_init(|| {
             let Some(analysed) = self.plane() else { return Vec::new() };
             parameters()
                 .filter(|p| p.is_shown(&self.scenario, page))

@@ -66,7 +66,7 @@ pub fn derivatives_ui(
     ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 7.0;
         ui.spacing_mut().item_spacing.x = 2.0;
-        for other in Page::DERIVATIVES.into_iter().filter(|page| page.is_of(scenario)) {
+        for other in Page::ALL.into_iter().filter(|page| page.is_of(scenario)) {
             ui.selectable_value(page, other, other.text());
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -283,7 +283,8 @@ impl Row {
     /// How it moves each mode.
     fn bars_ui(&self, ui: &mut Ui, findings: &Findings) {
         let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
-        let sensitivities = findings.sensitivities(self.parameter.page);
+        let page = self.parameter.page;
+        let sensitivities = page.map_or(&[][..], |page| findings.sensitivities(page));
         if let Some(row) = sensitivities.iter().find(|row| row.key == self.parameter.key) {
             influence::paint_bars(ui, row, findings.modes(), bars);
             response.on_hover_text(influence::words(row, findings.modes(), (self.in_si, self.unit)));

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 pub use notice::Notice;
 
-use super::{Page, Parameter, Scenario, Shape, View, parameters};
+use super::{Parameter, Scenario, Shape, View, parameters};
 use crate::content::{Aircraft, LengthUnit};
 use crate::flight::aircraft::plane::Plane;
 use pieces::Pieces;
@@ -64,7 +64,7 @@ pub fn write(scenario: &Scenario, view: &View, pinned: Option<&Scenario>) -> Str
 fn write_aircraft(scenario: &Scenario, prefix: &str, pieces: &mut Vec<(String, String)>) {
     pieces.push((format!("{prefix}ac"), scenario.aircraft.key.clone()));
     let reference = Scenario::new(scenario.aircraft.clone());
-    for p in parameters().filter(|p| p.page != Page::Disturbance) {
+    for p in parameters().filter(|p| !p.is_of_disturbance()) {
         let (key, value, usual) = match p.added(scenario) {
             Some(offset) => (format!("{prefix}{}{}", words::ADDED, p.key), offset, 0.0),
             None => (format!("{prefix}{}", p.key), p.get(scenario), p.get(&reference)),
@@ -98,7 +98,7 @@ fn write_disturbance(scenario: &Scenario, pieces: &mut Vec<(String, String)>) {
         }
     }
     let disturbance = &scenario.disturbance;
-    for p in parameters().filter(|p| p.page == Page::Disturbance) {
+    for p in parameters().filter(|p| p.is_of_disturbance()) {
         let is_time = p.key == words::TIME;
         // A time that stays is always told: without a word it follows.
         let stays = is_time && !disturbance.follows;
@@ -153,7 +153,7 @@ fn read_version(pieces: &mut Pieces) {
 /// What was done to the aircraft: first what is free, then what is added to the rest, then values of the rest.
 fn read_edits(pieces: &mut Pieces, prefix: &str, scenario: &mut Scenario) {
     let reference = Scenario::new(scenario.aircraft.clone());
-    let of_aircraft = |p: &&Parameter| p.page != Page::Disturbance;
+    let of_aircraft = |p: &&Parameter| !p.is_of_disturbance();
     for p in parameters().filter(of_aircraft) {
         let key = match p.added(scenario) {
             Some(_) => format!("{prefix}{}{}", words::ADDED, p.key),
@@ -193,7 +193,7 @@ fn read_edits(pieces: &mut Pieces, prefix: &str, scenario: &mut Scenario) {
 /// Takes every edit of an aircraft out of the link; whether there were any.
 fn take_edits(pieces: &mut Pieces, prefix: &str) -> bool {
     let mut any = false;
-    for p in parameters().filter(|p| p.page != Page::Disturbance) {
+    for p in parameters().filter(|p| !p.is_of_disturbance()) {
         any |= pieces.take(&format!("{prefix}{}", p.key)).is_some();
         any |= pieces.take(&format!("{prefix}{}{}", words::ADDED, p.key)).is_some();
     }
@@ -229,7 +229,7 @@ fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
         time.set(scenario, value);
         scenario.disturbance.follows = true;
     }
-    for p in parameters().filter(|p| p.page == Page::Disturbance) {
+    for p in parameters().filter(|p| p.is_of_disturbance()) {
         if let Some(value) = read_number(pieces, p.key, p, scenario) {
             p.set(scenario, value);
         }

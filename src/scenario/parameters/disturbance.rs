@@ -1,6 +1,6 @@
 //! The sizes of a disturbance.
 
-use super::{Extent, Group, Page, Parameter, Place};
+use super::{Extent, Group, Parameter, Place};
 use crate::scenario::{Dimension, Sizes};
 
 const fn row(
@@ -15,7 +15,7 @@ const fn row(
         key,
         symbol,
         name,
-        page: Page::Disturbance,
+        page: None,
         plane: None,
         group: Group::Disturbance,
         dimension,

@@ -34,13 +34,11 @@ pub enum Page {
     Dimensional,
     /// Entries of A and B.
     Matrix,
-    /// Sizes of the disturbance; not a page of its own.
-    Disturbance,
 }
 
 impl Page {
-    /// The pages of the derivatives pane, in its order.
-    pub const DERIVATIVES: [Self; 3] = [Self::Coefficients, Self::Dimensional, Self::Matrix];
+    /// All, in the order of the derivatives pane.
+    pub const ALL: [Self; 3] = [Self::Coefficients, Self::Dimensional, Self::Matrix];
 
     /// Whether an aircraft goes back that far.
     pub fn is_of(self, scenario: &Scenario) -> bool {
@@ -48,13 +46,12 @@ impl Page {
             Self::Coefficients => matches!(scenario.edited.study, Study::Coefficients(_)),
             Self::Dimensional => !matches!(scenario.edited.study, Study::Matrices(_)),
             Self::Matrix => true,
-            Self::Disturbance => false,
         }
     }
 
     /// The first page that an aircraft has.
     pub fn of(scenario: &Scenario) -> Self {
-        Self::DERIVATIVES.into_iter().find(|page| page.is_of(scenario)).unwrap_or(Self::Matrix)
+        Self::ALL.into_iter().find(|page| page.is_of(scenario)).unwrap_or(Self::Matrix)
     }
 
     /// The words on screen.
@@ -63,7 +60,6 @@ impl Page {
             Self::Coefficients => "Coefficients",
             Self::Dimensional => "Dimensional",
             Self::Matrix => "Matrix",
-            Self::Disturbance => "Disturbance",
         }
     }
 }
@@ -177,8 +173,8 @@ pub struct Parameter {
     pub symbol: &'static str,
     /// Name in words, for screen readers and the help card.
     pub name: &'static str,
-    /// The page it stands on.
-    pub page: Page,
+    /// The page it stands on; `None` for the size of a disturbance, which stands with the choosers of that.
+    pub page: Option<Page>,
     /// The plane whose page shows it; `None` for both.
     pub plane: Option<Plane>,
     /// Its group on the page.
@@ -233,10 +229,15 @@ impl Parameter {
         self.value(scenario).is_some()
     }
 
+    /// Whether it sizes a disturbance, and is no part of the aircraft.
+    pub fn is_of_disturbance(&self) -> bool {
+        matches!(self.place, Place::Disturbance(_))
+    }
+
     /// Whether it stands on a page for the plane on screen.
     pub fn is_shown(&self, scenario: &Scenario, page: Page) -> bool {
         let of_plane = self.plane.is_none_or(|plane| plane == scenario.plane);
-        self.page == page && of_plane && self.applies(scenario)
+        self.page == Some(page) && of_plane && self.applies(scenario)
     }
 
     /// Its value \[SI\]; zero where the aircraft has none.
