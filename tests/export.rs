@@ -4,15 +4,28 @@ use std::collections::BTreeMap;
 
 use eigenwing::content::{FILES, MatrixFormat};
 use eigenwing::export::{
-    self, DISTURBANCES, PlaneOutcome, PlaneReport, ResponseRequest, SHAPES, Subject, Sweep, SweepRequest,
-    analyse, json, list, parameters_of, respond,
+    self, DISTURBANCES, ExportError, PlaneOutcome, PlaneReport, Report, ResponseReport, ResponseRequest,
+    SHAPES, Subject, Sweep, SweepRequest, json, list, parameters_of,
 };
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::scenario::Source;
+use eigenwing::scenario::{Scenario, Source};
 use serde_json::{Value, json};
 
 fn keys() -> impl Iterator<Item = &'static str> {
     FILES.iter().filter_map(|(file, _)| file.strip_suffix(".toml"))
+}
+
+fn analyse(subject: &Subject) -> Result<Report, ExportError> {
+    Ok(export::analyse(&Findings::of(subject.scenario()?))?)
+}
+
+fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
+    export::respond(&subject.scenario()?, request)
+}
+
+fn navion() -> Scenario {
+    Subject::listed("navion").scenario().expect("the Navion")
 }
 
 fn plane(outcome: &Option<PlaneOutcome>) -> Option<&PlaneReport> {
@@ -129,7 +142,7 @@ fn one_mode_alone_is_chosen_by_its_name() {
 fn every_parameter_can_be_set_to_the_value_it_is_told_to_have() {
     for key in ["navion", "nt33a", "lesson"] {
         let subject = Subject::listed(key);
-        let told = parameters_of(&subject).expect("an aircraft of the list");
+        let told = parameters_of(&subject.scenario().expect("an aircraft of the list"));
         assert!(told.len() > 10);
         let set = told.iter().map(|p| (p.key.to_owned(), p.value)).collect();
         let (report, again) = (analyse(&subject), analyse(&Subject { set, ..subject }));
@@ -146,8 +159,8 @@ fn each_parameter_set_together_with_what_follows_from_it_ends_at_its_value() {
     for order in [["m_w", "speed", "a_qq"], ["a_qq", "speed", "m_w"]] {
         let set = order.iter().map(|key| ((*key).to_owned(), set[key])).collect();
         let subject = Subject { set, ..Subject::listed("navion") };
-        let told: BTreeMap<&str, f64> =
-            parameters_of(&subject).expect("a flight").iter().map(|p| (p.key, p.value)).collect();
+        let told = parameters_of(&subject.scenario().expect("a flight"));
+        let told: BTreeMap<&str, f64> = told.iter().map(|p| (p.key, p.value)).collect();
         for (key, wanted) in [("m_w", -0.1), ("speed", 60.0), ("a_qq", -3.0)] {
             assert!((told[key] - wanted).abs() < 1e-12, "{key} is {}", told[key]);
         }
@@ -157,7 +170,7 @@ fn each_parameter_set_together_with_what_follows_from_it_ends_at_its_value() {
 #[test]
 fn a_sweep_finds_the_static_boundary_where_the_determinant_is_zero() {
     let request = SweepRequest { parameter: "a_qw".to_owned(), from: -0.2, to: 0.13, points: 12 };
-    let sweep = Sweep::new(&Subject::listed("navion"), &request).expect("a sweep");
+    let sweep = Sweep::new(navion(), &request).expect("a sweep");
     let change = &sweep.report().changes[0];
     assert_eq!((change.plane, change.stability), ("longitudinal", "static"));
     assert_eq!((change.from, change.to), ("stable", "unstable"));
@@ -172,7 +185,7 @@ fn a_sweep_finds_the_static_boundary_where_the_determinant_is_zero() {
 #[test]
 fn a_sweep_has_both_its_ends_and_leaves_out_the_plane_that_does_not_move() {
     let request = SweepRequest { parameter: "cn_r".to_owned(), from: -0.4, to: -0.1, points: 4 };
-    let report = Sweep::new(&Subject::listed("navion"), &request).expect("a sweep").report();
+    let report = Sweep::new(navion(), &request).expect("a sweep").report();
     let values: Vec<f64> = report.points.iter().map(|point| point.value).collect();
     assert_eq!((values[0], values[3], values.len()), (-0.4, -0.1, 4));
     assert!(report.points.iter().all(|point| point.longitudinal.is_none() && point.lateral.is_some()));

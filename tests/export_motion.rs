@@ -3,15 +3,21 @@
 
 use eigenwing::content::MatrixFormat;
 use eigenwing::export::{
-    FlightOutcome, FrequencyRequest, ModeReport, PlaneOutcome, ResponseReport, ResponseRequest, Signal,
-    Source, SplitOutcome, Subject, analyse, frequency, json, list, respond,
+    ExportError, FlightOutcome, FrequencyReport, FrequencyRequest, ModeReport, PlaneOutcome, ResponseReport,
+    ResponseRequest, Signal, Source, SplitOutcome, Subject, analyse, json, list, respond,
 };
+use eigenwing::findings::Findings;
 use serde_json::Value;
 
 /// The motion of an aircraft with parameters set.
 fn motion(key: &str, set: &[(&str, f64)], request: &ResponseRequest) -> ResponseReport {
     let set = set.iter().map(|&(key, value)| (key.to_owned(), value)).collect();
-    respond(&Subject { set, ..Subject::listed(key) }, request).expect("a motion")
+    let scenario = Subject { set, ..Subject::listed(key) }.scenario().expect("an aircraft of the list");
+    respond(&scenario, request).expect("a motion")
+}
+
+fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
+    eigenwing::export::frequency(&subject.scenario()?, request)
 }
 
 fn disturbed_by(disturbance: &str, shape: &str) -> ResponseRequest {
@@ -135,7 +141,8 @@ fn what_cannot_be_flown_says_so_and_still_moves() {
     let file = include_str!("data/matrices/lateral.csv").to_owned();
     let source = Source::Matrices { file: "lateral.csv".to_owned(), text: file, format: MatrixFormat::Csv };
     let request = ResponseRequest { nonlinear: true, ..ResponseRequest::default() };
-    let report = respond(&Subject { source, set: Vec::new() }, &request).expect("a linear motion");
+    let scenario = Subject { source, set: Vec::new() }.scenario().expect("bare matrices");
+    let report = respond(&scenario, &request).expect("a linear motion");
     let Some(FlightOutcome::Refused { error }) = &report.nonlinear else { panic!("{:?}", report.nonlinear) };
     assert!(error.starts_with("this aircraft is given by its matrices"), "{error}");
     assert!(largest(values(&report.outputs, "phi")) > 0.0);
@@ -172,7 +179,8 @@ fn metrics_do_not_depend_on_how_many_samples_are_asked_for() {
 }
 
 fn phugoid(key: &str) -> ModeReport {
-    let report = analyse(&Subject::listed(key)).expect("an aircraft of the list");
+    let scenario = Subject::listed(key).scenario().expect("an aircraft of the list");
+    let report = analyse(&Findings::of(scenario)).expect("an analysis");
     let modes = &report.longitudinal.as_ref().and_then(PlaneOutcome::report).expect("its plane").modes;
     modes.iter().find(|mode| mode.name == "Phugoid").expect("a phugoid").clone()
 }

@@ -56,8 +56,7 @@ fn followed_poles_are_those_of_the_solver_for_every_slider_of_every_aircraft() {
         let mut scenario = Scenario::new(Arc::new(aircraft));
         for plane in planes {
             scenario.plane = plane;
-            let sliders =
-                parameters().filter(|p| Page::DERIVATIVES.iter().any(|page| p.is_shown(&scenario, *page)));
+            let sliders = parameters().filter(|p| Page::ALL.iter().any(|page| p.is_shown(&scenario, *page)));
             for slider in sliders {
                 let model = |value: f64| {
                     let mut at = scenario.clone();

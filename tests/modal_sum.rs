@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::Motion;
 use eigenwing::flight::modes::mode::{Mode, modes};
@@ -244,14 +245,11 @@ fn the_path_of_an_oscillation_alone_comes_back_to_zero() {
                     swung += 1;
                 }
                 (scenario.disturbance.sizes.times, scenario.disturbance.sizes.time) = (1e-3, 0.1);
-                let small = scenario.analyse().expect("an analysis");
-                let (linear, Some(Ok(analysed))) = (small.motion.expect("a motion"), &small.planes[plane])
-                else {
-                    continue;
-                };
-                if let Ok(flight) = scenario.fly(analysed) {
+                let small = Findings::of(scenario.clone());
+                let linear = small.motion().expect("a motion");
+                if let Some(Ok(flight)) = small.flight() {
                     for output in outputs {
-                        let first = output.of_flight(&linear.model, &flight)[0];
+                        let first = output.of_flight(&linear.model, flight)[0];
                         let want = linear.values(output)[0];
                         assert!(
                             (first - want).abs() < 1e-9 * want.abs().max(1.0),

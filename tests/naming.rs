@@ -216,7 +216,9 @@ fn no_slider_brings_a_name_that_its_participation_contradicts() {
         for plane in Plane::ALL {
             let mut scenario = Scenario::new(aircraft.clone());
             scenario.plane = plane;
-            for parameter in parameters().filter(|p| scenario.matrix_rate(p).is_some()) {
+            for parameter in
+                parameters().filter(|p| p.matrix_rate(&scenario.edited, scenario.plane).is_some())
+            {
                 let range = parameter.range(&scenario);
                 for k in 0..=8 {
                     let value = range.start() + (range.end() - range.start()) * f64::from(k) / 8.0;

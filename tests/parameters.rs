@@ -28,7 +28,7 @@ fn keys_are_unique_and_every_row_says_what_it_is() {
         for text in [p.symbol, p.name, p.meaning, p.sign] {
             assert!(!text.is_empty(), "{}", p.key);
         }
-        assert_eq!(p.origin.is_empty(), p.page == Page::Disturbance, "{}", p.key);
+        assert_eq!(p.origin.is_empty(), p.is_of_disturbance(), "{}", p.key);
         assert!(p.sign.contains(' '), "{}: \u{201c}{}\u{201d} says nothing", p.key, p.sign);
     }
 }

@@ -241,7 +241,7 @@ fn no_drag_gives_a_derivative_the_sign_that_no_aircraft_has() {
     let scenario = navion(Plane::Longitudinal);
     let short_period = mode(&scenario, ModeName::ShortPeriod);
     let wanted = Complex::new(-0.4, short_period.lambda.im);
-    let placed = scenario.place_pole(&short_period, wanted, &["cm_alpha", "cm_q"]).expect("an answer");
+    let placed = place(&scenario, &short_period, wanted, &["cm_alpha", "cm_q"]);
     let pitch_damping = Parameter::find("cm_q").expect("a row");
     assert!(pitch_damping.get(&placed.scenario) <= 0.0 && pitch_damping.get(&placed.scenario) > -0.01);
     assert_eq!(placed.obstacle, Some(Obstacle::Sign(vec![pitch_damping])));
@@ -251,7 +251,7 @@ fn no_drag_gives_a_derivative_the_sign_that_no_aircraft_has() {
     pitch_damping.set(&mut beyond, 5.0);
     let driven = mode(&beyond, ModeName::ShortPeriod);
     let to = driven.lambda * Complex::new(1.02, 0.0);
-    let placed = beyond.place_pole(&driven, to, &["cm_alpha", "cm_q"]).expect("an answer");
+    let placed = place(&beyond, &driven, to, &["cm_alpha", "cm_q"]);
     assert_eq!(placed.obstacle, None);
     assert!(pitch_damping.get(&placed.scenario) > 0.0);
 }

@@ -79,7 +79,8 @@ fn compare(
         shape: shape.map(str::to_owned),
         ..ResponseRequest::default()
     };
-    let Ok(report) = respond(&subject, &request) else { return false };
+    let scenario = subject.scenario().expect("an aircraft of the list");
+    let Ok(report) = respond(&scenario, &request) else { return false };
     let set = set.map_or_else(String::new, |(key, value)| format!("&{key}={value}"));
     let link = format!("v=1&ac={aircraft}{set}&plane={}&{in_link}&time=60&tab=figures", &name[..3]);
     open(page, &link);

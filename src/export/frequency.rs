@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
 use super::disturbance::{DISTURBANCES, channel_name, choose_disturbance, named, no_motion};
-use super::subject::{ExportError, Subject, plane_name};
+use super::subject::{ExportError, plane_name, set_on};
 use super::sweep::MOST_POINTS;
 use crate::findings::{Findings, FrequencyResponse};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::frequency_response::Peak;
 use crate::flight::motion::outputs::Output;
-use crate::scenario::{Quantity, Source};
+use crate::scenario::{Quantity, Scenario, Source};
 use crate::words;
 
 /// Frequencies \[rad/s\] that are accepted: no motion of an aircraft is beyond them.
@@ -98,8 +98,8 @@ pub struct GainPeak {
 const POINTS: usize = 400;
 
 /// The frequency response of an aircraft as it is set.
-pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
-    let mut scenario = subject.scenario()?;
+pub fn frequency(scenario: &Scenario, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
+    let mut scenario = scenario.clone();
     let wanted = request.output.as_deref().map(output_named).transpose()?;
     if let (None, Some(output)) = (&request.disturbance, wanted) {
         scenario.plane = output.plane();
@@ -135,7 +135,7 @@ pub fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<Freque
         Measured { name: Quantity::of(output).key, unit: Quantity::of(output).dimension.si_symbol() };
     Ok(FrequencyReport {
         aircraft: AircraftReport::of(&scenario.aircraft),
-        set: subject.set.iter().cloned().collect(),
+        set: set_on(scenario),
         plane: plane_name(plane),
         disturbance,
         gain_unit: gain_unit(output.unit, input.unit),

@@ -16,6 +16,8 @@ use super::respond::ResponseRequest;
 use super::subject::{ExportError, Source, Subject};
 use super::sweep::{Sweep, SweepRequest};
 use crate::content::MatrixFormat;
+use crate::findings::Findings;
+use crate::scenario::Scenario;
 
 /// The fields of a request that say which aircraft.
 const SUBJECT: [&str; 6] = ["aircraft", "toml", "matrices", "format", "file", "set"];
@@ -53,39 +55,41 @@ pub fn list() -> Result<String, ExportError> {
 
 /// The parameters of an aircraft: an array of [`super::ParameterReport`].
 pub fn parameters(request: &str) -> Result<String, ExportError> {
-    let (subject, Nothing {}) = read(request)?;
-    written(&super::parameters_of(&subject)?)
+    let (scenario, Nothing {}) = read(request)?;
+    written(&super::parameters_of(&scenario))
 }
 
 /// Everything that follows for an aircraft: a [`super::Report`].
 pub fn analyse(request: &str) -> Result<String, ExportError> {
-    let (subject, Nothing {}) = read(request)?;
-    written(&super::analyse(&subject)?)
+    let (scenario, Nothing {}) = read(request)?;
+    written(&super::analyse(&Findings::of(scenario))?)
 }
 
 /// The motion after a disturbance: a [`super::ResponseReport`].
 pub fn respond(request: &str) -> Result<String, ExportError> {
-    let (subject, request): (_, ResponseRequest) = read(request)?;
-    written(&super::respond(&subject, &request)?)
+    let (scenario, request): (_, ResponseRequest) = read(request)?;
+    written(&super::respond(&scenario, &request)?)
 }
 
 /// Gain and phase over frequency: a [`super::FrequencyReport`].
 pub fn frequency(request: &str) -> Result<String, ExportError> {
-    let (subject, request): (_, FrequencyRequest) = read(request)?;
-    written(&super::frequency(&subject, &request)?)
+    let (scenario, request): (_, FrequencyRequest) = read(request)?;
+    written(&super::frequency(&scenario, &request)?)
 }
 
 /// The modes along a parameter: a [`super::SweepReport`].
 pub fn sweep(request: &str) -> Result<String, ExportError> {
-    let (subject, request): (_, SweepRequest) = read(request)?;
-    written(&Sweep::new(&subject, &request)?.report())
+    let (scenario, request): (_, SweepRequest) = read(request)?;
+    written(&Sweep::new(scenario, &request)?.report())
 }
 
-fn read<T: DeserializeOwned>(request: &str) -> Result<(Subject, T), ExportError> {
+fn read<T: DeserializeOwned>(request: &str) -> Result<(Scenario, T), ExportError> {
     let mut fields: Map<String, Value> = from(serde_json::from_str(request))?;
     let subject: Map<String, Value> = SUBJECT.iter().filter_map(|key| fields.remove_entry(*key)).collect();
     let form: SubjectForm = from(serde_json::from_value(Value::Object(subject)))?;
-    Ok((form.subject()?, from(serde_json::from_value(Value::Object(fields)))?))
+    let subject = form.subject()?;
+    let request = from(serde_json::from_value(Value::Object(fields)))?;
+    Ok((subject.scenario()?, request))
 }
 
 fn from<T>(outcome: Result<T, serde_json::Error>) -> Result<T, ExportError> {

@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::aircraft::AircraftReport;
-use super::subject::{ExportError, Subject, plane_name};
+use super::subject::plane_name;
 use crate::content::embedded_aircraft;
-use crate::scenario::parameters;
+use crate::scenario::{Scenario, parameters};
 
 /// The aircraft that ship, in the order of the page's chooser.
 pub fn list() -> Vec<AircraftReport> {
@@ -38,10 +38,9 @@ pub struct ParameterReport {
 }
 
 /// The parameters that an aircraft has, in the order of the page.
-pub fn parameters_of(subject: &Subject) -> Result<Vec<ParameterReport>, ExportError> {
-    let scenario = subject.scenario()?;
-    let report = parameters().filter(|p| p.applies(&scenario)).map(|p| {
-        let (slider, accepted) = (p.range(&scenario), p.accepted(&scenario));
+pub fn parameters_of(scenario: &Scenario) -> Vec<ParameterReport> {
+    let report = parameters().filter(|p| p.applies(scenario)).map(|p| {
+        let (slider, accepted) = (p.range(scenario), p.accepted(scenario));
         ParameterReport {
             key: p.key,
             name: p.name,
@@ -49,10 +48,10 @@ pub fn parameters_of(subject: &Subject) -> Result<Vec<ParameterReport>, ExportEr
             sign: p.sign,
             unit: p.dimension.si_symbol(),
             plane: p.plane.map(plane_name),
-            value: p.get(&scenario),
+            value: p.get(scenario),
             slider: [*slider.start(), *slider.end()],
             accepted: [*accepted.start(), *accepted.end()],
         }
     });
-    Ok(report.collect())
+    report.collect()
 }

@@ -1,5 +1,6 @@
-//! What other programs ask and read. [`state()`] is that of the page; all else answers a request about a [`Subject`]: the
-//! command line and JavaScript go through the same functions. SI and radians, and every number finite or null.
+//! What other programs ask and read. A [`Subject`] is an aircraft as they name it, and ends at a
+//! [`Scenario`](crate::scenario::Scenario): all else answers a request about that, for the command line and JavaScript alike.
+//! SI and radians, and every number finite or null.
 
 mod aircraft;
 mod approximation;

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::aircraft::AircraftReport;
 use super::plane::PlaneReport;
-use super::subject::{ExportError, Subject};
+use super::subject::set_on;
 use crate::findings::Findings;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::{Analysis, AnalysisError};
@@ -105,14 +105,13 @@ impl PlaneOutcome {
 }
 
 /// Everything that follows for an aircraft as it is set.
-pub fn analyse(subject: &Subject) -> Result<Report, ExportError> {
-    let findings = Findings::of(subject.scenario()?);
+pub fn analyse(findings: &Findings) -> Result<Report, AnalysisError> {
     let analysis = findings.analysis().as_ref().map_err(Clone::clone)?;
     let &Analysis { margins, gravity, .. } = analysis;
     Ok(Report {
         aircraft: AircraftReport::of(&findings.scenario().aircraft),
         units: Units,
-        set: subject.set.iter().cloned().collect(),
+        set: set_on(findings.scenario()),
         longitudinal: analysis.planes.longitudinal.as_ref().map(PlaneOutcome::of),
         lateral: analysis.planes.lateral.as_ref().map(PlaneOutcome::of),
         static_margin: margins.map(|Margins { static_margin, .. }| static_margin),

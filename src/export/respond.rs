@@ -12,11 +12,11 @@ use super::flown::FlightOutcome;
 use super::metrics::MetricsReport;
 use super::signal::Signal;
 use super::split::SplitOutcome;
-use super::subject::{ExportError, Subject, plane_name};
+use super::subject::{ExportError, plane_name, set_on};
 use crate::findings::Findings;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::MOST_STEPS;
-use crate::scenario::Source;
+use crate::scenario::{Scenario, Source};
 
 /// A disturbance, the number of samples, and the extras that are wanted.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -88,8 +88,8 @@ pub struct ResponseReport {
 const STEPS: usize = 600;
 
 /// The motion of an aircraft as it is set.
-pub fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
-    let mut scenario = subject.scenario()?;
+pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
+    let mut scenario = scenario.clone();
     let (named_plane, name) = (request.plane.as_deref(), request.disturbance.as_deref());
     let (disturbance, source) =
         choose_disturbance(&mut scenario, named_plane, name, &DISTURBANCES, "disturbance")?;
@@ -120,7 +120,7 @@ pub fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseR
     let nonlinear = nonlinear.map(|flight| FlightOutcome::of(flight, &motion.model, experiment.grid));
     Ok(ResponseReport {
         aircraft: AircraftReport::of(&findings.scenario().aircraft),
-        set: subject.set.iter().cloned().collect(),
+        set: set_on(findings.scenario()),
         plane: plane_name(plane),
         disturbance,
         shape,

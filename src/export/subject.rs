@@ -1,5 +1,6 @@
 //! The subject of a request: an aircraft of the list or of a text, and the values set on it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use thiserror::Error;
@@ -147,6 +148,17 @@ impl Subject {
         }
         Ok(scenario)
     }
+}
+
+/// What is set on an aircraft \[SI\]: every parameter that differs from its file. What is an offset on what follows from others has
+/// their rounding in its last digit, which is left out.
+pub(super) fn set_on(scenario: &Scenario) -> BTreeMap<String, f64> {
+    let edited = parameters().filter(|p| p.applies(scenario) && p.is_edited(scenario));
+    let value = |p: &Parameter| {
+        let exact = p.get(scenario);
+        format!("{exact:.14e}").parse().unwrap_or(exact)
+    };
+    edited.map(|p| (p.key.to_owned(), value(p))).collect()
 }
 
 impl Source {

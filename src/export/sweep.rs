@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::aircraft::AircraftReport;
 use super::plane::{dynamic_word, static_word};
 use super::report::Units;
-use super::subject::{ExportError, Subject, checked, find_parameter, plane_name};
+use super::subject::{ExportError, checked, find_parameter, plane_name, set_on};
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::edits::Edited;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
@@ -148,8 +148,7 @@ pub struct Sweep {
 
 impl Sweep {
     /// Checks everything; nothing is computed yet.
-    pub fn new(subject: &Subject, request: &SweepRequest) -> Result<Self, ExportError> {
-        let scenario = subject.scenario()?;
+    pub fn new(scenario: Scenario, request: &SweepRequest) -> Result<Self, ExportError> {
         let parameter = find_parameter(&request.parameter)?;
         let &SweepRequest { from, to, points, .. } = request;
         for end in [from, to] {
@@ -164,7 +163,7 @@ impl Sweep {
         }
         let last = points - 1;
         let value = |k: usize| from * ((last - k) as f64 / last as f64) + to * (k as f64 / last as f64);
-        let set = subject.set.iter().cloned().collect();
+        let set = set_on(&scenario);
         let planes = moved_planes(&scenario, parameter, from, to);
         if planes.is_empty() {
             let Parameter { key, name, .. } = parameter;

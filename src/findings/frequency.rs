@@ -1,16 +1,16 @@
 //! The frequency response of an output to what disturbs: gain and phase, and the peaks that oscillations make.
 
-use super::Findings;
 use crate::flight::Start;
+use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::modes::stability::Stability;
 use crate::flight::motion::experiment::forced;
-use crate::flight::motion::frequency_response::{
-    FrequencyPoint, Peak, frequency_range, frequency_response, peaks,
-};
+use crate::flight::motion::frequency_response::{FrequencyPoint, Peak, frequency_response, peaks};
 use crate::flight::motion::inputs::Input;
 use crate::flight::motion::outputs::Output;
+use crate::scenario::Scenario;
 
 /// Points over all frequencies where nothing else is asked for: finer than a screen can tell between peaks.
-const POINTS: usize = 400;
+pub(super) const POINTS: usize = 400;
 
 /// The response is followed at so many frequencies a decade at least, however few are asked for, so that no peak and no turn of
 /// the phase is missed between two of them.
@@ -26,44 +26,31 @@ pub struct FrequencyResponse {
     pub peaks: Vec<Peak>,
 }
 
-impl Findings {
-    /// Angular frequencies around the modes \[rad/s\], from and to, on whole decades.
-    pub fn frequency_range(&self) -> (f64, f64) {
-        frequency_range(self.modes())
-    }
-
-    /// The response of an output to a unit of what disturbs, over [`Self::frequency_range`].
-    pub fn frequency(&self, output: Output) -> Option<&FrequencyResponse> {
-        let response = || self.frequency_over(output, self.frequency_range(), POINTS);
-        self.frequency.get(self.index(output)?)?.get_or_init(response).as_ref()
-    }
-
-    /// The same at `count` frequencies between others \[rad/s\].
-    pub fn frequency_over(
-        &self,
+impl FrequencyResponse {
+    /// The response of an output to a unit of what disturbs, at `count` frequencies between two \[rad/s\].
+    pub(super) fn of(
+        scenario: &Scenario,
+        PlaneAnalysis { model, modes, .. }: &PlaneAnalysis,
         output: Output,
         range: (f64, f64),
         count: usize,
-    ) -> Option<FrequencyResponse> {
-        let model = &self.plane()?.model;
+    ) -> Self {
         let unit = Input::Step { amplitude: 1.0, start: 0.0 };
-        let inputs = [(self.scenario.driven_channel(), unit)];
-        let forced = forced(&self.scenario.edited, model, &inputs, Start::Rest, &[]);
+        let inputs = [(scenario.driven_channel(), unit)];
+        let forced = forced(&scenario.edited, model, &inputs, Start::Rest, &[]);
         let row = output.row(model, &forced);
         let steps = count.saturating_sub(1).max(1);
         let decades = (range.1 / range.0).log10();
         let parts = ((FOLLOWED_PER_DECADE * decades / steps as f64).ceil() as usize).max(1);
         let mut points = frequency_response(&forced, &row, 0, range, steps * parts + 1);
-        let peaks = match self.growing_mode() {
-            Some(_) => Vec::new(),
-            None => peaks(&forced, &row, 0, &points, self.modes()),
-        };
+        let is_growing = modes.iter().any(|mode| mode.stability == Stability::Unstable);
+        let peaks = if is_growing { Vec::new() } else { peaks(&forced, &row, 0, &points, modes) };
         if parts > 1 {
             // Those that were asked for are among them, to the last bit.
             let asked = |k: usize| range.0 * (range.1 / range.0).powf(k as f64 / steps as f64);
             let asked: Vec<f64> = (0..=steps).map(asked).collect();
             points.retain(|point| asked.binary_search_by(|other| other.total_cmp(&point.frequency)).is_ok());
         }
-        Some(FrequencyResponse { points, peaks })
+        Self { points, peaks }
     }
 }

@@ -4,7 +4,6 @@ use std::rc::Rc;
 
 use nalgebra::Matrix4;
 
-use super::Findings;
 use crate::flight::modes::locus::{Locus, locus};
 use crate::scenario::{Disturbance, Parameter, Scenario};
 
@@ -20,21 +19,22 @@ pub(super) struct Known {
     locus: Rc<Locus>,
 }
 
-impl Findings {
-    /// The path of the poles along the whole range of a parameter's slider, from its reference. It doesn't depend on where along
-    /// it the parameter is, nor on the disturbance.
-    pub fn locus(&self, parameter: &'static Parameter) -> Rc<Locus> {
-        let mut start = self.scenario.clone();
-        parameter.reset(&mut start);
-        start.disturbance = Disturbance::default();
-        let mut known = self.locus.borrow_mut();
-        match &*known {
-            Some(known) if known.key == parameter.key && known.start == start => known.locus.clone(),
-            _ => {
-                let locus = Rc::new(locus_from(&start, parameter));
-                *known = Some(Known { start, key: parameter.key, locus: locus.clone() });
-                locus
-            }
+/// The path of the poles along the whole range of a parameter's slider, from its reference: the one found last where that is the
+/// same. It doesn't depend on where along it the parameter is, nor on the disturbance.
+pub(super) fn known_or_found(
+    known: &mut Option<Known>,
+    scenario: &Scenario,
+    parameter: &'static Parameter,
+) -> Rc<Locus> {
+    let mut start = scenario.clone();
+    parameter.reset(&mut start);
+    start.disturbance = Disturbance::default();
+    match known {
+        Some(known) if known.key == parameter.key && known.start == start => known.locus.clone(),
+        _ => {
+            let locus = Rc::new(locus_from(&start, parameter));
+            *known = Some(Known { start, key: parameter.key, locus: locus.clone() });
+            locus
         }
     }
 }

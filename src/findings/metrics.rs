@@ -1,7 +1,6 @@
 //! The numbers a course asks of a motion, as long as it is a small disturbance: beyond, the linear model means nothing. Peaks and
 //! the time to bank are of the time shown, all others of the whole motion.
 
-use super::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::Motion;
 use crate::flight::modes::mode::Mode;
@@ -12,7 +11,7 @@ use crate::flight::motion::response_metrics::{
     StepMetrics, control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_metrics,
     time_to_bank,
 };
-use crate::scenario::{START, Source};
+use crate::scenario::{START, Scenario, Source};
 
 /// A steady value below this fraction of the peak is zero on paper: the rest is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -63,18 +62,14 @@ pub enum Extreme {
     Beyond(f64),
 }
 
-impl Findings {
-    /// Metrics of the motion; `None` where nothing moves.
-    pub fn metrics(&self) -> Option<&Metrics> {
-        self.metrics.get_or_init(|| Some(self.measure(self.motion()?))).as_ref()
-    }
-
-    fn measure(&self, motion: &Motion) -> Metrics {
+impl Metrics {
+    /// Metrics of a motion; `modes` are those of its model.
+    pub(super) fn of(scenario: &Scenario, motion: &Motion, modes: &[Mode]) -> Self {
         let Motion { model, forced, experiment, .. } = motion;
-        let (plane, modes) = (model.plane, self.modes());
+        let plane = model.plane;
         let course = Course::new(model, forced, modes, experiment.grid.duration);
         let row = |output: Output| output.row(model, forced);
-        let choice = &self.scenario.disturbance.choices[plane];
+        let choice = &scenario.disturbance.choices[plane];
         // Let go, in one mode and in turbulence the disturbance is there from the first.
         let start = if choice.shape().is_some() { START } else { 0.0 };
         let is_random = choice.source == Source::Turbulence;
@@ -87,7 +82,7 @@ impl Findings {
         let swing = || phugoid_swing(model, modes, forced, &row(Output::Height));
         let banked = || time_to_bank(&course, &row(Output::BankAngle), start);
         let anticipation = || control_anticipation(model, modes, forced, 0);
-        Metrics {
+        Self {
             start,
             load_factor: outputs.iter().find(|of| of.output == load).and_then(|of| of.extreme),
             outputs,
@@ -100,13 +95,7 @@ impl Findings {
 }
 
 impl OutputMetrics {
-    fn of(
-        output: Output,
-        motion: &Motion,
-        modes: &[Mode],
-        course: &Course<'_>,
-        is_random: bool,
-    ) -> Self {
+    fn of(output: Output, motion: &Motion, modes: &[Mode], course: &Course<'_>, is_random: bool) -> Self {
         let Motion { model, forced, .. } = motion;
         let row = output.row(model, forced);
         let most = peak(course, &row);

@@ -21,22 +21,25 @@ mod time_shown;
 mod trajectory;
 
 use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 use thiserror::Error;
 
 use crate::flight::aircraft::coefficients::Coefficients;
 use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::{GravityCheck, Motion, PlaneAnalysis, motion};
+use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::stability::Stability;
 use crate::flight::motion::experiment::fly;
 use crate::flight::motion::flight_path::FlightPath;
+use crate::flight::motion::frequency_response::frequency_range;
 use crate::flight::motion::modal_sum::{ModalSum, SplitError};
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::six_dof::SixDofError;
 use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::{Analysis, AnalysisError, Experiment};
-use crate::scenario::{Page, Scenario};
+use crate::scenario::{Page, Parameter, Scenario};
 
 pub use frequency::FrequencyResponse;
 pub use metrics::{Extreme, Metrics, OutputMetrics};
@@ -156,7 +159,7 @@ impl Findings {
 
     /// The same motion at other samples: `steps` between them, one less than their number.
     pub fn motion_in(&self, steps: usize) -> Option<Motion> {
-        Some(motion(&self.scenario.edited, self.plane()?, &self.experiment_in(steps)))
+        Some(motion(&self.scenario.edited, self.plane()?, &self.experiment_in(steps)?))
     }
 
     /// The nonlinear flight through the same disturbance, or why there is none.
@@ -168,13 +171,13 @@ impl Findings {
     /// The same flight at other samples: `steps` between them.
     pub fn flight_in(&self, steps: usize) -> Option<Result<FlightPath, SixDofError>> {
         let PlaneAnalysis { model, modes, .. } = self.plane()?;
-        Some(fly(&self.scenario.edited, model, modes, &self.experiment_in(steps)))
+        Some(fly(&self.scenario.edited, model, modes, &self.experiment_in(steps)?))
     }
 
-    fn experiment_in(&self, steps: usize) -> Experiment {
-        let mut experiment = self.scenario.experiment();
+    fn experiment_in(&self, steps: usize) -> Option<Experiment> {
+        let mut experiment = self.motion()?.experiment.clone();
         experiment.grid.steps = steps;
-        experiment
+        Some(experiment)
     }
 
     /// An output of the motion split into the parts of the modes.
@@ -195,6 +198,44 @@ impl Findings {
             Study::Derivatives(_) | Study::Matrices(_) => None,
         };
         self.coefficients.get_or_init(derived).as_ref()
+    }
+
+    /// The sensitivities of every parameter on a page that the aircraft has; none where the plane has no analysis.
+    pub fn sensitivities(&self, page: Page) -> &[RowSensitivity] {
+        let of = |plane| sensitivities::of_page(&self.scenario, plane, page);
+        self.sensitivities[page as usize].get_or_init(|| self.plane().map_or_else(Vec::new, of))
+    }
+
+    /// The path of the poles along the whole range of a parameter's slider, wherever along it the parameter is.
+    pub fn locus(&self, parameter: &'static Parameter) -> Rc<Locus> {
+        locus::known_or_found(&mut self.locus.borrow_mut(), &self.scenario, parameter)
+    }
+
+    /// Metrics of the motion; `None` where nothing moves.
+    pub fn metrics(&self) -> Option<&Metrics> {
+        let metrics = || Some(Metrics::of(&self.scenario, self.motion()?, self.modes()));
+        self.metrics.get_or_init(metrics).as_ref()
+    }
+
+    /// Angular frequencies around the modes \[rad/s\], from and to, on whole decades.
+    pub fn frequency_range(&self) -> (f64, f64) {
+        frequency_range(self.modes())
+    }
+
+    /// The frequency response of an output to a unit of what disturbs, over [`Self::frequency_range`].
+    pub fn frequency(&self, output: Output) -> Option<&FrequencyResponse> {
+        let response = || self.frequency_over(output, self.frequency_range(), frequency::POINTS);
+        self.frequency.get(self.index(output)?)?.get_or_init(response).as_ref()
+    }
+
+    /// The same at `count` frequencies between others \[rad/s\].
+    pub fn frequency_over(
+        &self,
+        output: Output,
+        range: (f64, f64),
+        count: usize,
+    ) -> Option<FrequencyResponse> {
+        Some(FrequencyResponse::of(&self.scenario, self.plane()?, output, range, count))
     }
 
     /// The limits of the handling-quality levels in the complex plane; none where the aircraft has no class.

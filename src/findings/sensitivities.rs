@@ -1,6 +1,5 @@
 //! How strongly each parameter of a page moves each mode.
 
-use super::Findings;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::sensitivity::{Sensitivity, sensitivity};
@@ -22,17 +21,9 @@ pub struct RowSensitivity {
     pub strengths: Vec<Option<f64>>,
 }
 
-impl Findings {
-    /// The sensitivities of every parameter on a page that the aircraft has; none where the plane has no analysis.
-    pub fn sensitivities(&self, page: Page) -> &[RowSensitivity] {
-        self.sensitivities[page as usize].get_or_init(|| {
-            let Some(analysed) = self.plane() else { return Vec::new() };
-            parameters()
-                .filter(|p| p.is_shown(&self.scenario, page))
-                .filter_map(|p| row(&self.scenario, analysed, p))
-                .collect()
-        })
-    }
+/// The sensitivities of every parameter on a page that the aircraft has.
+pub(super) fn of_page(scenario: &Scenario, analysed: &PlaneAnalysis, page: Page) -> Vec<RowSensitivity> {
+    parameters().filter(|p| p.is_shown(scenario, page)).filter_map(|p| row(scenario, analysed, p)).collect()
 }
 
 fn row(

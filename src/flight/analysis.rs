@@ -14,7 +14,7 @@ use super::motion::course::is_small;
 use super::motion::experiment::{Experiment, forced};
 use super::motion::modal_sum::{ModalSum, SplitError, modal_sum};
 use super::motion::outputs::Output;
-use super::motion::response::{Forced, Response, TimeGrid, respond};
+use super::motion::response::{Forced, Response, respond};
 use super::verdicts::handling_qualities::{Verdict, handling_qualities};
 use super::verdicts::static_stability::{
     PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,

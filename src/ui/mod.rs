@@ -1,5 +1,5 @@
-//! What is on screen: one file for each thing. Views read an [`Analysis`](crate::flight::Analysis) and never
-//! compute one; controls edit the [`Scenario`](crate::scenario::Scenario) and nothing else.
+//! What is on screen: one file for each thing. Views draw [`Findings`](crate::findings::Findings) and compute nothing; controls
+//! edit the [`Scenario`](crate::scenario::Scenario) and the [`View`](crate::scenario::View) in place.
 
 pub mod aircraft;
 mod app;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use eigenwing::content::MatrixFormat;
 use eigenwing::export::{ExportError, Source, Subject};
+use eigenwing::scenario::Scenario;
 use thiserror::Error;
 
 use crate::arguments::SubjectArguments;
@@ -22,8 +23,8 @@ pub enum InputError {
 }
 
 impl SubjectArguments {
-    /// The aircraft that is asked about.
-    pub fn read(&self) -> Result<Subject, InputError> {
+    /// The aircraft that is asked about, with what is set on it.
+    pub fn read(&self) -> Result<Scenario, InputError> {
         let source = match (&self.matrix, &self.aircraft) {
             (Some(path), _) => matrices(path)?,
             (None, Some(name)) if name.ends_with(".toml") => {
@@ -33,7 +34,7 @@ impl SubjectArguments {
             (None, Some(name)) if MatrixFormat::of_file(name).is_some() => matrices(Path::new(name))?,
             (None, name) => Source::Listed(name.clone().unwrap_or_default()),
         };
-        Ok(Subject { source, set: self.set.clone() })
+        Ok(Subject { source, set: self.set.clone() }.scenario()?)
     }
 }
 

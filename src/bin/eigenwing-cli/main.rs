@@ -21,8 +21,9 @@ use arguments::{Arguments, Command, Format};
 use clap::Parser as _;
 use clap::error::ErrorKind as Misuse;
 use eigenwing::export::{
-    self, FrequencyRequest, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest,
+    self, ExportError, FrequencyRequest, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest,
 };
+use eigenwing::findings::Findings;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
@@ -54,7 +55,7 @@ fn answer(command: &Command) -> Result<String, InputError> {
             }
         }
         Command::Parameters { subject, output } => {
-            let parameters = export::parameters_of(&subject.read()?)?;
+            let parameters = export::parameters_of(&subject.read()?);
             match output.format() {
                 Format::Table => tables::parameters(&parameters),
                 Format::Json => json(&parameters),
@@ -62,7 +63,7 @@ fn answer(command: &Command) -> Result<String, InputError> {
             }
         }
         Command::Analyse { subject, output } => {
-            let report = export::analyse(&subject.read()?)?;
+            let report = export::analyse(&Findings::of(subject.read()?)).map_err(ExportError::from)?;
             match output.format() {
                 Format::Table => tables::analysis(&report),
                 Format::Json => json(&report),
@@ -108,7 +109,7 @@ fn answer(command: &Command) -> Result<String, InputError> {
         Command::Sweep { subject, parameter, from, to, points, output } => {
             let request =
                 SweepRequest { parameter: parameter.clone(), from: *from, to: *to, points: *points };
-            let report = swept(Sweep::new(&subject.read()?, &request)?);
+            let report = swept(Sweep::new(subject.read()?, &request)?);
             match output.format() {
                 Format::Table => tables::sweep(&report),
                 Format::Json => json(&report),

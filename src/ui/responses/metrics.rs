@@ -88,7 +88,8 @@ fn table_ui(ui: &mut Ui, scenario: &Scenario, metrics: &Metrics) {
             let &OutputMetrics { output, extreme, steady, step, root_mean_square } = of_output;
             let (quantity, unit_symbol, unit) = units(output, scenario);
             let number = |si: Option<f64>| si.map_or_else(nothing, |si| significant(si / unit, 3));
-            ui.label(Symbol::parse(quantity.symbol).job(theme::sizes(ui).symbol, palette.text)).accessible_name(quantity.name);
+            ui.label(Symbol::parse(quantity.symbol).job(theme::sizes(ui).symbol, palette.text))
+                .accessible_name(quantity.name);
             ui.label(RichText::new(unit_symbol).font(theme::small()).color(palette.weak))
                 .on_hover_text(quantity.name);
             let (most, time) = match extreme {

@@ -75,8 +75,9 @@ fn portrait(canvas: Canvas<'_>, pair: (Output, Output)) -> Picture {
     let Canvas { findings, pinned, view, palette, .. } = canvas;
     let (across, across_unit, across_si) = units(pair.0, findings.scenario());
     let (upward, upward_unit, upward_si) = units(pair.1, findings.scenario());
-    let linear =
-        |of: &Findings, pattern, color| curves::portrait(of, parts(of), pair, (across_si, upward_si), pattern, color);
+    let linear = |of: &Findings, pattern, color| {
+        curves::portrait(of, parts(of), pair, (across_si, upward_si), pattern, color)
+    };
     let mut drawn: Vec<Curve> = linear(findings, Pattern::Full, palette.text).into_iter().collect();
     let flown = |output, unit| curves::nonlinear(findings, output, unit, palette);
     if view.shows_flight()
