@@ -573,3 +573,13 @@ fn type_into_search(harness: &mut page::Page, text: &str) {
     harness.get_by_role_and_label(Role::TextInput, "Find a derivative").type_text(text);
     harness.run();
 }
+
+#[test]
+fn remarks_on_an_aircraft_s_source_are_shown_at_its_status() {
+    let mut harness = page(WIDE);
+    let remark = "only 184, as in Fig. X-1, reproduces";
+    assert_eq!(harness.query_all_by_label_contains(remark).count(), 0);
+    harness.get_by_label("✓ verified").hover();
+    harness.run_steps(60);
+    assert_eq!(harness.query_all_by_label_contains(remark).count(), 1);
+}

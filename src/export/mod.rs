@@ -24,7 +24,6 @@ mod typescript;
 
 use serde_json::{Map, Value, json};
 
-use self::plane::{dynamic_word, static_word};
 use self::subject::plane_name;
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
@@ -94,8 +93,8 @@ fn of_error(error: &AnalysisError) -> Value {
 fn of_plane(plane: &PlaneAnalysis) -> Value {
     json!({
         "modes": plane.modes.iter().map(of_mode).collect::<Vec<_>>(),
-        "dynamic_stability": dynamic_word(plane.dynamic_stability),
-        "static_stability": static_word(plane.static_stability.verdict),
+        "dynamic_stability": plane.dynamic_stability.key(),
+        "static_stability": plane.static_stability.verdict.key(),
         "determinant": plane.static_stability.determinant,
         "levels": plane.levels.iter().map(words::verdict::sentence).collect::<Vec<_>>(),
     })
@@ -121,7 +120,7 @@ fn of_mode(mode: &Mode) -> Value {
         "period": mode.period(),
         "time_to_half": mode.time_to_half(),
         "time_to_double": mode.time_to_double(),
-        "stability": dynamic_word(mode.stability),
+        "stability": mode.stability.key(),
         "participation": mode.participation,
     })
 }

@@ -3,7 +3,6 @@
 use nalgebra::{Complex, Vector4};
 use serde::Serialize;
 
-use super::plane::dynamic_word;
 use crate::flight::modes::mode::Mode;
 use crate::words;
 
@@ -61,7 +60,7 @@ impl ModeReport {
             confidence: mode.naming.confidence,
             re: mode.lambda.re,
             im: mode.lambda.im,
-            stability: dynamic_word(mode.stability),
+            stability: mode.stability.key(),
             natural_frequency: finite(mode.natural_frequency()),
             damping_ratio: finite(mode.damping_ratio()),
             damped_frequency: finite(mode.damped_frequency()),

@@ -9,7 +9,6 @@ use super::mode::ModeReport;
 use crate::flight::aircraft::plane::{Plane, Trim};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
-use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
 
 /// The analysis of one plane of motion.
@@ -129,7 +128,7 @@ impl PlaneReport {
             trim: TrimReport { speed, alpha0, gamma0, gravity },
             eigenvalues: modes.iter().flat_map(with_conjugate).collect(),
             modes: modes.iter().map(ModeReport::of).collect(),
-            dynamic_stability: dynamic_word(*dynamic_stability),
+            dynamic_stability: dynamic_stability.key(),
             static_stability: StaticReport::of(static_stability),
             approximations: approximations.iter().map(ApproximationReport::of).collect(),
             levels: levels.iter().map(LevelReport::of).collect(),
@@ -140,7 +139,7 @@ impl PlaneReport {
 impl StaticReport {
     fn of(stability: &PlaneStaticStability) -> Self {
         Self {
-            verdict: static_word(stability.verdict),
+            verdict: stability.verdict.key(),
             determinant: stability.determinant,
             plain_derivatives: stability.is_plain,
             stiffness: match stability.stiffness {
@@ -154,23 +153,5 @@ impl StaticReport {
                 },
             },
         }
-    }
-}
-
-/// Dynamic stability in a word.
-pub const fn dynamic_word(stability: Stability) -> &'static str {
-    match stability {
-        Stability::Stable => "stable",
-        Stability::Neutral => "neutral",
-        Stability::Unstable => "unstable",
-    }
-}
-
-/// Static stability in a word.
-pub const fn static_word(verdict: Stability) -> &'static str {
-    match verdict {
-        Stability::Stable => "stable",
-        Stability::Neutral => "neutral",
-        Stability::Unstable => "unstable",
     }
 }

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
-use super::plane::{dynamic_word, static_word};
 use super::report::Units;
 use super::subject::{ExportError, checked, find_parameter, plane_name, set_on};
 use crate::flight::aircraft::axes::StabilityAxes;
@@ -284,7 +283,7 @@ pub(super) enum Verdict {
 }
 
 /// The word of a verdict on the boundary.
-const NEUTRAL: &str = static_word(Stability::Neutral);
+const NEUTRAL: &str = Stability::Neutral.key();
 
 impl Verdict {
     pub(super) const ALL: [Self; 2] = [Self::Static, Self::Dynamic];
@@ -336,8 +335,8 @@ fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String
     let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
     let of_dynamic: Stability = dynamic_stability(worst, fastest);
     Ok(SweepPlane {
-        static_stability: static_word(of_static.verdict),
-        dynamic_stability: dynamic_word(of_dynamic),
+        static_stability: of_static.verdict.key(),
+        dynamic_stability: of_dynamic.key(),
         determinant: of_static.determinant,
         modes: modes.iter().map(sweep_mode).collect(),
     })

@@ -15,7 +15,7 @@ use super::disturbance::{DISTURBANCES, SHAPES};
 use super::subject::plane_name;
 use super::{
     AircraftReport, FrequencyReport, FrequencyRequest, ParameterReport, Report, ResponseReport,
-    ResponseRequest, SweepReport, SweepRequest, json, plane, sweep,
+    ResponseRequest, SweepReport, SweepRequest, json, sweep,
 };
 use crate::content::{MatrixFormat, Status};
 use crate::flight::aircraft::plane::Plane;
@@ -42,7 +42,7 @@ fn the_committed_types_are_those_of_the_structs() {
     types.visit::<SweepReport>();
 
     let planes = [Plane::Longitudinal, Plane::Lateral].map(plane_name);
-    let stabilities = [Stability::Stable, Stability::Neutral, Stability::Unstable].map(plane::dynamic_word);
+    let stabilities = [Stability::Stable, Stability::Neutral, Stability::Unstable].map(Stability::key);
     let with_channel = DISTURBANCES.into_iter().filter(|(_, source)| !source.shapes().is_empty());
     types.union("PlaneName", planes);
     types.union("Disturbance", names(DISTURBANCES));

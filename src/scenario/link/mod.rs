@@ -19,6 +19,7 @@ mod words;
 use std::sync::Arc;
 
 pub use notice::Notice;
+pub use pieces::LONGEST;
 
 use super::{Parameter, Scenario, Shape, View, parameters};
 use crate::content::{Aircraft, LengthUnit};
@@ -27,9 +28,6 @@ use pieces::Pieces;
 
 /// The version that is written. It rises when a link of this kind can't be understood any more by what came before.
 const VERSION: u32 = 1;
-
-/// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
-pub const LONGEST: usize = 10_000;
 
 /// What a link leads to.
 #[derive(Clone, Debug, PartialEq)]

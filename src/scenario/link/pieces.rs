@@ -4,7 +4,10 @@ use percent_encoding::percent_decode_str;
 
 use super::super::{Parameter, ValueError};
 use super::notice::{Notice, quoted};
-use super::{LONGEST, words};
+use super::words;
+
+/// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
+pub const LONGEST: usize = 10_000;
 
 /// Keys and values of a link that have not been taken yet, and what was found wrong.
 pub(super) struct Pieces {
