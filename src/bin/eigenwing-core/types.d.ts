@@ -77,8 +77,10 @@ export type Figures = {
   start: number,
   /** Metrics of each output, in their order. */
   outputs: Array<OutputFigures>,
-  /** Largest change of the load factor, normal or lateral after the plane, with its sign. */
+  /** Largest change of the load factor, normal or lateral after the plane, with its sign; null where it is no peak. */
   peak_load_factor: Peak | null,
+  /** Load factor where the linear model ends while it is still growing; null where it has a peak. */
+  load_factor_beyond: number | null,
   /** Time after the start at which the bank angle first is 30° either way [s]; of lateral motion but in turbulence. */
   time_to_bank: number | null,
   /** Height between the first two turning points of the phugoid's part of the height [m]; of longitudinal motion but in turbulence. */
@@ -143,8 +145,11 @@ export type FrequencyResponse = {
   gain: Array<number>,
   /** Phase of G(jω) [rad], one a frequency: continuous, and between −π and π at the first. */
   phase: Array<number>,
-  /** Local maxima of the gain in order, with the oscillations that make them. */
+  /** Local maxima of the gain in order, with the oscillations that make them; none where a mode grows. */
   peaks: Array<GainPeak>,
+  /** Name of a mode that grows: then no steady oscillation ever answers a sine, and the numbers are only the transfer function
+   * at s = jω. Null where every mode stays. */
+  growing_mode: string | null,
 };
 
 /** A local maximum of the gain. */
@@ -270,7 +275,7 @@ export type Motion = {
   small_until: number | null,
   /** Time [s] of the first sample left out, where the motion had outgrown numbers worth having. */
   cut_at: number | null,
-  /** Figures of the motion while it is a small disturbance. */
+  /** Metrics of the motion while it is a small disturbance. */
   figures: Figures,
   /** The parts of the modes in each of the outputs; null where they weren't asked for. */
   split: Array<SplitOutcome> | null,
@@ -278,22 +283,26 @@ export type Motion = {
   nonlinear: FlightOutcome | null,
 };
 
-/** Figures of one output, in its SI unit. */
+/** Metrics of one output, in its SI unit. */
 export type OutputFigures = {
   /** Name of the output. */
   name: string,
   /** Its SI unit; empty for a ratio. */
   unit: string,
-  /** Value farthest from zero. */
+  /** Value farthest from zero; null where that is no peak. */
   peak: Peak | null,
+  /** Value where the linear model ends while it is still growing, nobody knows how far; null where it has a peak. */
+  beyond: number | null,
   /** Value that it goes to after a step; null where it goes to none. */
   steady: number | null,
-  /** Time from 10 % to 90 % of the steady value, both for the first time [s]. */
+  /** Time from 10 % to 90 % of the steady value, both for the first time [s]; null too where the linear model ends on the way. */
   rise_time: number | null,
-  /** Time after the step from which it stays within 2 % of the steady value for ever, whether that is shown or not [s]. */
+  /** Time after the step from which it stays within 2 % of the steady value [s], likewise. */
   settling_time: number | null,
-  /** Overshoot beyond the steady value, as a fraction of it. */
+  /** Overshoot beyond the steady value, as a fraction of it, likewise. */
   overshoot: number | null,
+  /** Root mean square of the change over the time watched; in turbulence only. */
+  root_mean_square: number | null,
 };
 
 /** A parameter that can be set on an aircraft. */
