@@ -240,7 +240,7 @@ impl App {
         Scene { scenario: self.scenario.clone(), pinned: self.pinned.clone() }
     }
 
-    /// Brings what follows to the scenario and the pinned state as they are: the only place where anything is computed.
+    /// Takes new findings where the scenario or the pinned state is another: the only place that does.
     fn refresh(&mut self) {
         if *self.findings.scenario() != self.scenario {
             self.findings = Rc::new(self.findings.after(self.scenario.clone()));
