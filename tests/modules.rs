@@ -113,7 +113,7 @@ impl Sources {
         let mut file = File::default();
         file.visit_file(&syntax);
         for child in &file.children {
-            self.add([&module[..], &[child.clone()]].concat());
+            self.add([&module[..], std::slice::from_ref(child)].concat());
         }
         self.files.insert(module, file);
     }
