@@ -15,6 +15,7 @@
 //! | module | in one line | knows nothing of |
 //! |---|---|---|
 //! | [`number`] | numbers as a person reads them | everything |
+//! | [`key`] | names of values for programs: files, links, requests, answers | everything |
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`shape`] | what an aircraft looks like: faces lofted from its geometry, in the order to draw them | files, colours, screens |
 //! | [`content`] | the aircraft that ship with the page, read and checked once; files from elsewhere, as text | egui, web |
@@ -51,6 +52,7 @@ pub mod content;
 pub mod export;
 pub mod findings;
 pub mod flight;
+pub mod key;
 pub mod number;
 pub mod scenario;
 pub mod shape;

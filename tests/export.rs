@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use eigenwing::content::{FILES, MatrixFormat};
 use eigenwing::export::{
-    self, DISTURBANCES, ExportError, PlaneOutcome, PlaneReport, Report, ResponseReport, ResponseRequest,
-    SHAPES, Subject, Sweep, SweepRequest, json, list, parameters_of,
+    self, ExportError, PlaneOutcome, PlaneReport, Report, ResponseReport, ResponseRequest, Subject, Sweep,
+    SweepRequest, json, list, parameters_of,
 };
 use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::key::Keyed;
 use eigenwing::scenario::{Scenario, Source};
 use serde_json::{Value, json};
 
@@ -93,9 +94,9 @@ fn assert_no_null(value: &Value, path: &str) {
 #[test]
 fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
     for aircraft in list() {
-        for (name, source) in DISTURBANCES {
-            let shapes = SHAPES.iter().filter(|(_, shape)| source.shapes().contains(shape));
-            let shapes: Vec<_> = shapes.map(|(name, _)| Some(*name)).collect();
+        for &source in Source::VALUES {
+            let name = source.key();
+            let shapes: Vec<_> = source.shapes().iter().map(|shape| Some(shape.key())).collect();
             for shape in if shapes.is_empty() { vec![None] } else { shapes } {
                 let request = ResponseRequest {
                     disturbance: Some(name.to_owned()),
@@ -107,7 +108,7 @@ fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
                 let set = vec![("time".to_owned(), 4.0)];
                 let response = respond(&Subject { set, ..Subject::listed(&aircraft.key) }, &request);
                 let can_be = Plane::ALL.iter().any(|plane| {
-                    let has_data = aircraft.planes.contains(&format!("{plane:?}").to_lowercase().as_str());
+                    let has_data = aircraft.planes.contains(&plane.key());
                     has_data && Source::of(*plane).contains(&source)
                 });
                 assert_eq!(response.is_ok(), can_be, "{} {name} {response:?}", aircraft.key);
@@ -122,20 +123,62 @@ fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
 }
 
 #[test]
-fn one_mode_alone_is_chosen_by_its_name() {
+fn one_mode_alone_is_chosen_by_its_key_or_its_name() {
     let request = |mode: &str| ResponseRequest {
         disturbance: Some("mode".to_owned()),
         mode: Some(mode.to_owned()),
         ..ResponseRequest::default()
     };
     let navion = Subject::listed("navion");
-    let response = respond(&navion, &request("phugoid")).expect("a mode of the Navion");
-    assert_eq!((response.mode, response.inputs.len()), (Some("Phugoid"), 0));
+    let response = respond(&navion, &request("short-period")).expect("a mode of the Navion");
+    assert_eq!((response.mode_key, response.mode), (Some("short-period"), Some("Short period")));
+    assert_eq!(response.inputs.len(), 0);
+    for name in ["Short period", "short period"] {
+        assert_eq!(respond(&navion, &request(name)).expect("the same mode").outputs, response.outputs);
+    }
     let told = respond(&navion, &request("Dutch roll")).map_err(|error| error.to_string());
-    let sentence = "there is no mode \"Dutch roll\" here; expected \"Short period\", \"Phugoid\"";
+    let sentence = "there is no mode \"Dutch roll\" here; expected \"short-period\", \"phugoid\"";
     assert_eq!(told, Err(sentence.to_owned()));
     let lateral = ResponseRequest { plane: Some("lateral".to_owned()), ..request("Dutch roll") };
     assert_eq!(respond(&navion, &lateral).map(|response| response.plane), Ok("lateral"));
+}
+
+/// Links had other words for the same disturbances before there were keys.
+#[test]
+fn the_words_of_links_are_read_in_requests_too() {
+    for (plane, disturbance, shape, keys) in [
+        ("lon", "gust", "1-cos", ("longitudinal", "vertical-gust", Some("1-cosine"))),
+        ("lon", "head_gust", "step", ("longitudinal", "head-gust", Some("step"))),
+        ("lat", "rudder", "3211", ("lateral", "rudder", Some("3-2-1-1"))),
+    ] {
+        let [plane, disturbance, shape] = [plane, disturbance, shape].map(|word| Some(word.to_owned()));
+        let request = ResponseRequest { plane, disturbance, shape, ..ResponseRequest::default() };
+        let response = respond(&Subject::listed("navion"), &request).expect("a motion");
+        assert_eq!((response.plane, response.disturbance, response.shape), keys);
+    }
+}
+
+/// A key for programs beside every name for people.
+#[test]
+fn what_has_a_name_has_a_key_beside_it() {
+    let report = analyse(&Subject::listed("navion")).expect("it flies");
+    let lateral = report.lateral.as_ref().and_then(PlaneOutcome::report).expect("its plane");
+    let modes: Vec<(&str, &str)> = lateral.modes.iter().map(|mode| (mode.key, mode.name)).collect();
+    let expected =
+        [("dutch-roll", "Dutch roll"), ("roll-subsidence", "Roll subsidence"), ("spiral", "Spiral")];
+    assert_eq!(modes, expected);
+    let level = &lateral.levels[0];
+    assert_eq!((level.criterion_key, level.criterion), ("dutch-roll", "Dutch roll"));
+    assert_eq!((level.level_key, level.level), ("level-1", "Level 1"));
+    let approximation = &lateral.approximations[0];
+    assert_eq!((approximation.key, approximation.mode_key), ("dutch-roll-two-states", "dutch-roll"));
+    let sweep = Sweep::new(
+        Subject::listed("navion").scenario().expect("it flies"),
+        &SweepRequest { parameter: "cm_alpha".to_owned(), from: -0.8, to: -0.4, points: 2 },
+    );
+    let points = sweep.expect("a sweep").report().points;
+    let first = points[0].longitudinal.as_ref().expect("its plane").modes[0];
+    assert_eq!((first.key, first.name), ("short-period", "Short period"));
 }
 
 #[test]

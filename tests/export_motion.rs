@@ -182,7 +182,7 @@ fn phugoid(key: &str) -> ModeReport {
     let scenario = Subject::listed(key).scenario().expect("an aircraft of the list");
     let report = analyse(&Findings::of(scenario)).expect("an analysis");
     let modes = &report.longitudinal.as_ref().and_then(PlaneOutcome::report).expect("its plane").modes;
-    modes.iter().find(|mode| mode.name == "Phugoid").expect("a phugoid").clone()
+    modes.iter().find(|mode| mode.key == "phugoid").expect("a phugoid").clone()
 }
 
 #[test]
@@ -277,7 +277,7 @@ fn a_frequency_response_has_its_ends_its_peaks_and_its_turns_however_few_its_poi
         assert_eq!((few.gain[k], few.phase[k]), (many.gain[same], many.phase[same]));
     }
     let [few, many] = [few, many].map(|bode| bode.peaks);
-    assert_eq!((few.len(), few[0].mode), (many.len(), "Phugoid"));
+    assert_eq!((few.len(), few[0].mode_key), (many.len(), "phugoid"));
     assert!((few[0].frequency / many[0].frequency - 1.0).abs() < 1e-6);
     // ωₙ √(1 − 2ζ²) of an oscillation alone; the slope of the rest of the response moves the peak by a little.
     let natural = phugoid("b747-fc9").natural_frequency.expect("it oscillates");

@@ -12,6 +12,7 @@ use eigenwing::flight::verdicts::handling_qualities::{Level, handling_qualities}
 use eigenwing::flight::verdicts::level_boundaries::{Boundary, Line, level_boundaries};
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class, Criterion, Quantity};
 use eigenwing::flight::verdicts::task::Task;
+use eigenwing::key::Keyed;
 use eigenwing::scenario::Scenario;
 use eigenwing::words;
 use nalgebra::Complex;
@@ -56,8 +57,8 @@ fn the_lines_give_the_levels_that_the_verdicts_give() {
     let mut compared = 0;
     for plane in Plane::ALL {
         for analysis in analysed(plane) {
-            for (_, class) in Class::NAMES {
-                for (_, category) in Category::NAMES {
+            for &class in Class::VALUES {
+                for &category in Category::VALUES {
                     let boundaries =
                         level_boundaries(&analysis.model, &analysis.modes, Task { class, category });
                     for verdict in handling_qualities(&analysis.model, &analysis.modes, class, category) {

@@ -5,6 +5,7 @@ pub use super::reader::ContentError;
 use crate::flight::aircraft::plane::ByPlane;
 use crate::flight::aircraft::study::{DerivativeStudy, Models, Study};
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
+use crate::key::keys;
 
 /// An aircraft in one flight condition.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,10 +102,11 @@ pub enum Status {
     Unverified,
 }
 
-impl Status {
-    /// The two by the name that a file gives them.
-    pub const NAMES: [(&'static str, Self); 2] =
-        [("verified", Self::Verified), ("unverified", Self::Unverified)];
+keys! {
+    Status {
+        Verified => "verified",
+        Unverified => "unverified",
+    }
 }
 
 /// A unit of length in which an aircraft's numbers are shown; time is in seconds, angles in radians.

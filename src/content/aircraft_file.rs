@@ -45,8 +45,8 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let basis = file.choice("basis", &BASES)?;
     let units = file.choice("units", &UnitSystem::NAMES)?;
     file.choice("angles", &[("rad", ())])?;
-    let class = file.optional_choice("class", &Class::NAMES)?;
-    let phase = file.optional_choice("phase", &Category::NAMES)?;
+    let class = file.optional_key::<Class>("class")?;
+    let phase = file.optional_key::<Category>("phase")?;
     let source = file.text("source")?;
     let mut notes = Vec::from_iter(file.optional_text("note")?);
 
@@ -138,7 +138,7 @@ fn read_shape(file: &mut Block<'_>) -> Result<&'static str, ContentError> {
 
 fn read_notes(block: &mut Block<'_>, file_source: &str) -> Result<PlaneNotes, ContentError> {
     let notes = PlaneNotes {
-        status: block.choice("status", &Status::NAMES)?,
+        status: block.key("status")?,
         status_reason: block.text("status_reason")?,
         source: block.optional_text("source")?.unwrap_or_else(|| file_source.to_owned()),
         published: read_published(block)?,
@@ -154,7 +154,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let length_unit = file.choice("length_unit", &LengthUnit::NAMES)?;
     let (key, name, condition) = (read_key(file)?, file.text("name")?, file.text("condition")?);
     let shape = read_shape(file)?;
-    let (status, status_reason) = (file.choice("status", &Status::NAMES)?, file.text("status_reason")?);
+    let (status, status_reason) = (file.key("status")?, file.text("status_reason")?);
     let source = file.text("source")?;
     let mut block = file.block("longitudinal")?;
     let (u0, a, b) = (block.positive("u0")?, block.matrix("a")?, block.row::<4>("b_elevator")?);

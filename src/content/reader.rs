@@ -5,6 +5,8 @@
 use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 
+use crate::key::Keyed;
+
 /// A file that could not be read as an aircraft.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{file}, line {line}: {problem}")]
@@ -177,6 +179,18 @@ impl<'t> Block<'t> {
     /// The meaning of one word out of a few.
     pub fn choice<T: Copy>(&mut self, key: &'t str, choices: &[(&str, T)]) -> Result<T, ContentError> {
         self.optional_choice(key, choices)?.ok_or_else(|| self.missing(key, &one_of(choices)))
+    }
+
+    /// The value of one key out of a list of them, if the entry is there.
+    pub fn optional_key<T: Keyed>(&mut self, key: &'t str) -> Result<Option<T>, ContentError> {
+        let choices: Vec<(&str, T)> = T::VALUES.iter().map(|&value| (value.key(), value)).collect();
+        self.optional_choice(key, &choices)
+    }
+
+    /// The value of one key out of a list of them.
+    pub fn key<T: Keyed>(&mut self, key: &'t str) -> Result<T, ContentError> {
+        let choices: Vec<(&str, T)> = T::VALUES.iter().map(|&value| (value.key(), value)).collect();
+        self.choice(key, &choices)
     }
 
     /// A list of finite numbers.

@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::subject::plane_name;
-use crate::content::{Aircraft, Status};
+use crate::content::Aircraft;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::verdicts::mil_f_8785c::{Category, Class};
+use crate::key::Keyed;
 
 /// An aircraft's name, source and status.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,27 +39,21 @@ pub struct AircraftReport {
 impl AircraftReport {
     /// The report of an aircraft.
     pub fn of(aircraft: &Aircraft) -> Self {
-        let name_of = |status| Status::NAMES.iter().find(|(_, s)| *s == status).map_or("", |(name, _)| name);
         let models = aircraft.study.models().unwrap_or_default();
-        let planes = Plane::ALL;
         Self {
             key: aircraft.key.clone(),
             name: aircraft.name.clone(),
             condition: aircraft.condition.clone(),
             source: aircraft.source.clone(),
-            status: name_of(aircraft.status),
+            status: aircraft.status.key(),
             status_reason: aircraft.status_reason.clone(),
             notes: aircraft.notes.clone(),
-            class: aircraft
-                .class
-                .and_then(|class| Class::NAMES.iter().find(|(_, c)| *c == class).map(|&(name, _)| name)),
-            phase: aircraft
-                .phase
-                .and_then(|phase| Category::NAMES.iter().find(|(_, c)| *c == phase).map(|&(name, _)| name)),
-            planes: planes
+            class: aircraft.class.map(Keyed::key),
+            phase: aircraft.phase.map(Keyed::key),
+            planes: Plane::ALL
                 .into_iter()
                 .filter(|plane| models.planes[*plane].is_some())
-                .map(plane_name)
+                .map(Keyed::key)
                 .collect(),
         }
     }

@@ -3,16 +3,23 @@
 use serde::Serialize;
 
 use crate::flight::modes::approximations::{Approximation, ModeValue};
+use crate::key::Keyed;
 use crate::words;
 
 /// A textbook approximation beside the exact mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Approximation"))]
 pub struct ApproximationReport {
-    /// The mode that it approximates.
+    /// Name of the mode that it approximates.
     pub mode: &'static str,
-    /// Name of the approximation.
+    /// Key of the mode.
+    #[cfg_attr(test, ts(type = "ModeKey"))]
+    pub mode_key: &'static str,
+    /// Name of the approximation, among those of the mode.
     pub name: &'static str,
+    /// Key of the approximation, among all.
+    #[cfg_attr(test, ts(type = "ApproximationKey"))]
+    pub key: &'static str,
     /// Its formula.
     pub formula: &'static str,
     /// Terms and motions that it leaves out.
@@ -57,7 +64,9 @@ impl ApproximationReport {
         };
         Self {
             mode: words::mode::title(approximation.name.concerns()),
+            mode_key: approximation.name.concerns().key(),
             name: words::approximation::name(approximation.name),
+            key: approximation.name.key(),
             formula: words::approximation::formula(approximation.name),
             neglects: words::approximation::neglects(approximation.name),
             value: approximation.value.map(value),

@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
-use super::disturbance::{DISTURBANCES, channel_name, choose_disturbance, named, no_motion};
-use super::subject::{ExportError, plane_name, set_on};
+use super::disturbance::{choose_disturbance, named, no_motion};
+use super::subject::{ExportError, set_on};
 use super::sweep::MOST_POINTS;
 use crate::findings::{Findings, FrequencyResponse};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::frequency_response::Peak;
 use crate::flight::motion::outputs::Output;
+use crate::key::Keyed;
 use crate::scenario::{Quantity, Scenario, Source};
 use crate::words;
 
@@ -51,7 +52,7 @@ pub struct FrequencyReport {
     /// `longitudinal` or `lateral`.
     #[cfg_attr(test, ts(type = "PlaneName"))]
     pub plane: &'static str,
-    /// The disturbance by its name in a request.
+    /// Key of the disturbance.
     #[cfg_attr(test, ts(type = "ControlOrGust"))]
     pub disturbance: &'static str,
     /// The input: air is positive forward, downward and to the right, whatever the sense of the disturbance's size.
@@ -71,6 +72,9 @@ pub struct FrequencyReport {
     /// Name of a mode that grows: then no steady oscillation ever answers a sine, and the numbers are only the transfer function
     /// at s = jω. Null where every mode stays.
     pub growing_mode: Option<&'static str>,
+    /// Its key.
+    #[cfg_attr(test, ts(type = "ModeKey | null"))]
+    pub growing_mode_key: Option<&'static str>,
 }
 
 /// A quantity and its unit.
@@ -89,6 +93,9 @@ pub struct Measured {
 pub struct GainPeak {
     /// Name of the oscillation nearest in frequency.
     pub mode: &'static str,
+    /// Its key.
+    #[cfg_attr(test, ts(type = "ModeKey"))]
+    pub mode_key: &'static str,
     /// Its angular frequency \[rad/s\], to seven digits or so: a maximum is flat.
     pub frequency: f64,
     /// Gain there; null where it has no bound, at an oscillation that neither dies away nor grows.
@@ -100,19 +107,19 @@ const POINTS: usize = 400;
 /// The frequency response of an aircraft as it is set.
 pub fn frequency(scenario: &Scenario, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
     let mut scenario = scenario.clone();
-    let wanted = request.output.as_deref().map(output_named).transpose()?;
+    let wanted = request.output.as_deref().map(|name| named(name, Output::VALUES, "output")).transpose()?;
     if let (None, Some(output)) = (&request.disturbance, wanted) {
         scenario.plane = output.plane();
     }
-    let with_channel: Vec<(&str, Source)> =
-        DISTURBANCES.into_iter().filter(|(_, source)| !source.shapes().is_empty()).collect();
+    let with_channel: Vec<Source> =
+        Source::VALUES.iter().copied().filter(|source| !source.shapes().is_empty()).collect();
     let (named_plane, name) = (request.plane.as_deref(), request.disturbance.as_deref());
-    let (disturbance, _) = choose_disturbance(&mut scenario, named_plane, name, &with_channel, "input")?;
+    let source = choose_disturbance(&mut scenario, named_plane, name, &with_channel, "input")?;
     let plane = scenario.plane;
     let output = match wanted {
         Some(output) if output.plane() == plane => output,
         Some(output) => {
-            let (key, plane) = (Quantity::of(output).key, plane_name(plane));
+            let (key, plane) = (output.key(), plane.key());
             return Err(ExportError::Request(format!("{key} doesn't move in {plane} motion")));
         }
         None => match plane {
@@ -129,15 +136,14 @@ pub fn frequency(scenario: &Scenario, request: &FrequencyRequest) -> Result<Freq
     let response = findings.frequency_over(output, range, points).ok_or_else(|| no_motion(&findings))?;
     let scenario = findings.scenario();
     let FrequencyResponse { points, peaks } = &response;
-    let (name, unit) = channel_name(plane, scenario.driven_channel());
-    let input = Measured { name, unit };
-    let output =
-        Measured { name: Quantity::of(output).key, unit: Quantity::of(output).dimension.si_symbol() };
+    let growing_mode = findings.growing_mode().map(|mode| mode.naming.name);
+    let input = Measured::of(Quantity::of_input(plane, scenario.driven_channel()));
+    let output = Measured::of(Quantity::of(output));
     Ok(FrequencyReport {
         aircraft: AircraftReport::of(&scenario.aircraft),
         set: set_on(scenario),
-        plane: plane_name(plane),
-        disturbance,
+        plane: plane.key(),
+        disturbance: source.key(),
         gain_unit: gain_unit(output.unit, input.unit),
         input,
         output,
@@ -145,20 +151,21 @@ pub fn frequency(scenario: &Scenario, request: &FrequencyRequest) -> Result<Freq
         gain: points.iter().map(|point| point.value.norm()).collect(),
         phase: points.iter().map(|point| point.phase).collect(),
         peaks: peaks.iter().map(GainPeak::of).collect(),
-        growing_mode: findings.growing_mode().map(|mode| words::mode::title(mode.naming.name)),
+        growing_mode: growing_mode.map(words::mode::title),
+        growing_mode_key: growing_mode.map(Keyed::key),
     })
 }
 
 impl GainPeak {
     fn of(&Peak { mode, frequency, gain }: &Peak) -> Self {
-        Self { mode: words::mode::title(mode), frequency, gain }
+        Self { mode: words::mode::title(mode), mode_key: mode.key(), frequency, gain }
     }
 }
 
-fn output_named(name: &str) -> Result<Output, ExportError> {
-    let outputs = Plane::ALL.into_iter().flat_map(Output::of);
-    let table: Vec<(&str, Output)> = outputs.map(|&output| (Quantity::of(output).key, output)).collect();
-    named(name, &table, "output").map(|(_, output)| output)
+impl Measured {
+    fn of(Quantity { key, dimension, .. }: Quantity) -> Self {
+        Self { name: key, unit: dimension.si_symbol() }
+    }
 }
 
 /// The ends that are asked for, or else those of the modes.

@@ -3,16 +3,23 @@
 use serde::Serialize;
 
 use crate::flight::verdicts::handling_qualities::Verdict;
+use crate::key::Keyed;
 use crate::words;
 
 /// A level of handling qualities.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Level"))]
 pub struct LevelReport {
-    /// The criterion.
+    /// The criterion in words.
     pub criterion: &'static str,
-    /// `Level 1` to `Level 3`, or `Worse than Level 3`.
+    /// Key of the criterion.
+    #[cfg_attr(test, ts(type = "CriterionKey"))]
+    pub criterion_key: &'static str,
+    /// The level in words.
     pub level: &'static str,
+    /// Key of the level.
+    #[cfg_attr(test, ts(type = "LevelKey"))]
+    pub level_key: &'static str,
     /// Whether a value equals a limit to three digits.
     pub on_boundary: bool,
     /// Paragraph of MIL-F-8785C.
@@ -42,7 +49,9 @@ impl LevelReport {
     pub fn of(verdict: &Verdict) -> Self {
         Self {
             criterion: words::verdict::criterion(verdict.criterion),
+            criterion_key: verdict.criterion.key(),
             level: words::verdict::level(verdict.level),
+            level_key: verdict.level.key(),
             on_boundary: verdict.on_boundary,
             paragraph: verdict.criterion.paragraph(),
             table: words::verdict::source(verdict.criterion.source(verdict.category)),

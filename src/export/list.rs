@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::aircraft::AircraftReport;
-use super::subject::plane_name;
 use crate::content::embedded_aircraft;
+use crate::key::Keyed;
 use crate::scenario::{Scenario, parameters};
 
 /// The aircraft that ship, in the order of the page's chooser.
@@ -47,7 +47,7 @@ pub fn parameters_of(scenario: &Scenario) -> Vec<ParameterReport> {
             meaning: p.meaning,
             sign: p.sign,
             unit: p.dimension.si_symbol(),
-            plane: p.plane.map(plane_name),
+            plane: p.plane.map(Keyed::key),
             value: p.get(scenario),
             slider: [*slider.start(), *slider.end()],
             accepted: [*accepted.start(), *accepted.end()],

@@ -24,18 +24,17 @@ mod typescript;
 
 use serde_json::{Map, Value, json};
 
-use self::subject::plane_name;
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{Motion, PlaneAnalysis};
 use crate::flight::modes::mode::Mode;
 use crate::flight::{Analysis, AnalysisError};
+use crate::key::Keyed;
 use crate::scenario::parameters;
 use crate::words;
 
 pub use aircraft::AircraftReport;
 pub use approximation::{ApproximationReport, ValueReport};
-pub use disturbance::{DISTURBANCES, SHAPES};
 pub use flown::{FlightOutcome, FlightReport, StopReport};
 pub use frequency::{FREQUENCIES, FrequencyReport, FrequencyRequest, GainPeak, Measured, frequency};
 pub use level::{JudgedReport, LevelReport};
@@ -59,10 +58,13 @@ pub fn state(findings: &Findings) -> Value {
         .filter(|p| p.applies(scenario))
         .map(|p| (p.key.to_owned(), json!(p.get(scenario))))
         .collect();
+    let choice = &scenario.disturbance.choices[scenario.plane];
     json!({
         "aircraft": scenario.aircraft.key,
-        "plane": plane_name(scenario.plane),
-        "disturbance": scenario.disturbance.choices[scenario.plane].text(),
+        "plane": scenario.plane.key(),
+        "disturbance": choice.text(),
+        "disturbance_key": choice.source.key(),
+        "shape_key": choice.shape().map(Keyed::key),
         "parameters": parameters,
         "analysis": match findings.analysis() {
             Ok(analysis) => of_analysis(analysis),
@@ -111,6 +113,7 @@ fn of_motion(motion: &Motion) -> Value {
 
 fn of_mode(mode: &Mode) -> Value {
     json!({
+        "key": mode.naming.name.key(),
         "name": words::mode::title(mode.naming.name),
         "reason": words::naming::reason(mode),
         "re": mode.lambda.re,

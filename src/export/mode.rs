@@ -4,12 +4,16 @@ use nalgebra::{Complex, Vector4};
 use serde::Serialize;
 
 use crate::flight::modes::mode::Mode;
+use crate::key::Keyed;
 use crate::words;
 
 /// A mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Mode"))]
 pub struct ModeReport {
+    /// Key of the mode.
+    #[cfg_attr(test, ts(type = "ModeKey"))]
+    pub key: &'static str,
     /// Name of the mode.
     pub name: &'static str,
     /// Why, with numbers.
@@ -55,6 +59,7 @@ impl ModeReport {
         let pairs = |vector: &Vector4<Complex<f64>>| std::array::from_fn(|k| [vector[k].re, vector[k].im]);
         let finite = |value: Option<f64>| value.filter(|x| x.is_finite());
         Self {
+            key: mode.naming.name.key(),
             name: words::mode::title(mode.naming.name),
             reason: words::naming::reason(mode),
             confidence: mode.naming.confidence,

@@ -6,18 +6,22 @@ use serde::Serialize;
 use super::approximation::ApproximationReport;
 use super::level::LevelReport;
 use super::mode::ModeReport;
-use crate::flight::aircraft::plane::{Plane, Trim};
+use crate::flight::Channel;
+use crate::flight::aircraft::plane::Trim;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
+use crate::flight::motion::outputs::Output;
 use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
+use crate::key::Keyed;
+use crate::scenario::Quantity;
 
 /// The analysis of one plane of motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Plane"))]
 pub struct PlaneReport {
-    /// Names of the states, in the order of the rows and columns.
+    /// Keys of the states, in the order of the rows and columns.
     pub states: [&'static str; 4],
-    /// Names of the inputs, in the order of the columns of B.
+    /// Keys of the inputs, in the order of the columns of B.
     pub inputs: [&'static str; 2],
     /// State matrix, row by row.
     pub a: [[f64; 4]; 4],
@@ -93,22 +97,6 @@ pub enum StiffnessReport {
     },
 }
 
-/// Names of the states of a plane.
-pub const fn state_names(plane: Plane) -> [&'static str; 4] {
-    match plane {
-        Plane::Longitudinal => ["u", "w", "q", "theta"],
-        Plane::Lateral => ["v", "p", "r", "phi"],
-    }
-}
-
-/// Names of the inputs of a plane.
-pub const fn input_names(plane: Plane) -> [&'static str; 2] {
-    match plane {
-        Plane::Longitudinal => ["elevator", "throttle"],
-        Plane::Lateral => ["aileron", "rudder"],
-    }
-}
-
 impl PlaneReport {
     /// The report of an analysis.
     pub fn of(analysis: &PlaneAnalysis) -> Self {
@@ -121,8 +109,9 @@ impl PlaneReport {
             std::iter::once([re, im]).chain(conjugate)
         };
         Self {
-            states: state_names(model.plane),
-            inputs: input_names(model.plane),
+            states: Output::states(model.plane).map(Keyed::key),
+            inputs: [Channel::First, Channel::Second]
+                .map(|channel| Quantity::of_input(model.plane, channel).key),
             a: std::array::from_fn(|i| std::array::from_fn(|j| model.a[(i, j)])),
             b: std::array::from_fn(|i| std::array::from_fn(|j| model.b[(i, j)])),
             trim: TrimReport { speed, alpha0, gamma0, gravity },

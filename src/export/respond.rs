@@ -5,18 +5,18 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
-use super::disturbance::{
-    DISTURBANCES, channel_name, choose_disturbance, choose_mode, choose_shape, no_motion,
-};
+use super::disturbance::{choose_disturbance, choose_mode, choose_shape, no_motion};
 use super::flown::FlightOutcome;
 use super::metrics::MetricsReport;
 use super::signal::Signal;
 use super::split::SplitOutcome;
-use super::subject::{ExportError, plane_name, set_on};
+use super::subject::{ExportError, set_on};
 use crate::findings::Findings;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::MOST_STEPS;
-use crate::scenario::{Scenario, Source};
+use crate::key::Keyed;
+use crate::scenario::{Quantity, Scenario, Source};
+use crate::words;
 
 /// A disturbance, the number of samples, and the extras that are wanted.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -32,7 +32,7 @@ pub struct ResponseRequest {
     /// Its shape in time, of those it can have; by default that of the page.
     #[cfg_attr(test, ts(optional, type = "Shape"))]
     pub shape: Option<String>,
-    /// Name of the mode that is flown alone, with the disturbance `mode`; by default the first.
+    /// Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name is read, too.
     pub mode: Option<String>,
     /// Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s.
     pub steps: Option<usize>,
@@ -58,14 +58,17 @@ pub struct ResponseReport {
     /// `longitudinal` or `lateral`.
     #[cfg_attr(test, ts(type = "PlaneName"))]
     pub plane: &'static str,
-    /// The disturbance by its name in a request.
+    /// Key of the disturbance.
     #[cfg_attr(test, ts(type = "Disturbance"))]
     pub disturbance: &'static str,
-    /// Its shape by its name in a request; null where it has one of its own.
+    /// Key of its shape; null where it has one of its own.
     #[cfg_attr(test, ts(type = "Shape | null"))]
     pub shape: Option<&'static str>,
     /// Name of the mode that is flown alone; null with other disturbances.
     pub mode: Option<&'static str>,
+    /// Its key.
+    #[cfg_attr(test, ts(type = "ModeKey | null"))]
+    pub mode_key: Option<&'static str>,
     /// Times of the samples \[s\].
     pub time: Vec<f64>,
     /// Inputs at these times; none where the aircraft is let go.
@@ -91,10 +94,9 @@ const STEPS: usize = 600;
 pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
     let mut scenario = scenario.clone();
     let (named_plane, name) = (request.plane.as_deref(), request.disturbance.as_deref());
-    let (disturbance, source) =
-        choose_disturbance(&mut scenario, named_plane, name, &DISTURBANCES, "disturbance")?;
+    let source = choose_disturbance(&mut scenario, named_plane, name, Source::VALUES, "disturbance")?;
     let plane = scenario.plane;
-    let shape = choose_shape(&mut scenario, request.shape.as_deref(), disturbance)?;
+    let shape = choose_shape(&mut scenario, request.shape.as_deref())?;
     let mode = choose_mode(&mut scenario, request.mode.as_deref(), source)?;
 
     let own = if source == Source::Turbulence { scenario.experiment().grid.steps } else { STEPS };
@@ -111,8 +113,8 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
 
     let time: Vec<f64> = (0..motion.response.states.len()).map(|k| experiment.grid.time(k)).collect();
     let inputs = experiment.inputs.iter().map(|(channel, input)| {
-        let (name, unit) = channel_name(plane, *channel);
-        Signal { name, unit, values: time.iter().map(|&t| input.at(t)).collect() }
+        let Quantity { key: name, dimension, .. } = Quantity::of_input(plane, *channel);
+        Signal { name, unit: dimension.si_symbol(), values: time.iter().map(|&t| input.at(t)).collect() }
     });
     let outputs = Output::of(plane).iter().map(|&output| Signal::of(output, motion.values(output)));
     let split = request.split.then(|| SplitOutcome::of(&motion, findings.modes()));
@@ -121,10 +123,11 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
     Ok(ResponseReport {
         aircraft: AircraftReport::of(&findings.scenario().aircraft),
         set: set_on(findings.scenario()),
-        plane: plane_name(plane),
-        disturbance,
-        shape,
-        mode,
+        plane: plane.key(),
+        disturbance: source.key(),
+        shape: shape.map(Keyed::key),
+        mode: mode.map(words::mode::title),
+        mode_key: mode.map(Keyed::key),
         inputs: inputs.collect(),
         outputs: outputs.collect(),
         time,

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::flight::analysis::Motion;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
+use crate::key::Keyed;
 use crate::scenario::Quantity;
 use crate::words;
 
@@ -44,6 +45,9 @@ pub struct SplitReport {
 pub struct PartReport {
     /// Name of the mode.
     pub mode: &'static str,
+    /// Its key.
+    #[cfg_attr(test, ts(type = "ModeKey"))]
+    pub mode_key: &'static str,
     /// A value at each time.
     pub values: Vec<f64>,
 }
@@ -59,6 +63,7 @@ impl SplitOutcome {
             };
             let part = |(mode, values): (&Mode, Vec<f64>)| PartReport {
                 mode: words::mode::title(mode.naming.name),
+                mode_key: mode.naming.name.key(),
                 values,
             };
             let parts = modes.iter().zip(sum.parts).map(part).collect();

@@ -9,6 +9,7 @@ use crate::content::{Aircraft, ContentError, FILES, MatrixFormat};
 use crate::flight::AnalysisError;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::study::StudyError;
+use crate::key::Keyed;
 use crate::number::significant;
 use crate::scenario::{Parameter, Scenario, ValueError, parameters};
 
@@ -96,7 +97,7 @@ pub enum ExportError {
         high: String,
     },
     /// The aircraft has no data of a plane of motion.
-    #[error("{aircraft} has no {} data", plane_name(*.plane))]
+    #[error("{aircraft} has no {} data", .plane.key())]
     NoPlane {
         /// Key of the aircraft.
         aircraft: String,
@@ -116,14 +117,6 @@ pub enum ExportError {
 
 fn did_you_mean(nearest: &Option<String>) -> String {
     nearest.as_ref().map_or_else(String::new, |nearest| format!("; did you mean \"{nearest}\"?"))
-}
-
-/// The name of a plane in requests and answers.
-pub const fn plane_name(plane: Plane) -> &'static str {
-    match plane {
-        Plane::Longitudinal => "longitudinal",
-        Plane::Lateral => "lateral",
-    }
 }
 
 impl Subject {

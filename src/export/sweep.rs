@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
 use super::report::Units;
-use super::subject::{ExportError, checked, find_parameter, plane_name, set_on};
+use super::subject::{ExportError, checked, find_parameter, set_on};
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::edits::Edited;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
@@ -14,6 +14,7 @@ use crate::flight::aircraft::study::StudyError;
 use crate::flight::modes::mode::{Mode, modes};
 use crate::flight::modes::stability::{Stability, dynamic_stability};
 use crate::flight::verdicts::static_stability::plane_static_stability;
+use crate::key::Keyed;
 use crate::scenario::{Parameter, Scenario};
 use crate::words;
 
@@ -100,6 +101,9 @@ pub struct SweepPlane {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct SweepMode {
+    /// Key of the mode.
+    #[cfg_attr(test, ts(type = "ModeKey"))]
+    pub key: &'static str,
     /// Name of the mode.
     pub name: &'static str,
     /// Real part.
@@ -232,14 +236,14 @@ impl Sweep {
                 before = None;
                 continue;
             };
-            if to == NEUTRAL {
+            if to == Stability::Neutral.key() {
                 continue;
             }
             if let Some((value, from)) = before.filter(|(_, from)| *from != to) {
                 let between = [value, point.value];
                 let at = self.boundary(plane, kind, from, between);
                 let stability = kind.text();
-                found.push(SweepChange { plane: plane_name(plane), stability, between, at, from, to });
+                found.push(SweepChange { plane: plane.key(), stability, between, at, from, to });
             }
             before = Some((point.value, to));
         }
@@ -250,7 +254,7 @@ impl Sweep {
         for _ in 0..HALVINGS {
             let middle = 0.5 * (before + after);
             match kind.of(plane, &self.point(middle)) {
-                Some(NEUTRAL) => return middle,
+                Some(verdict) if verdict == Stability::Neutral.key() => return middle,
                 Some(verdict) if verdict == from => before = middle,
                 _ => after = middle,
             }
@@ -281,9 +285,6 @@ pub(super) enum Verdict {
     Static,
     Dynamic,
 }
-
-/// The word of a verdict on the boundary.
-const NEUTRAL: &str = Stability::Neutral.key();
 
 impl Verdict {
     pub(super) const ALL: [Self; 2] = [Self::Static, Self::Dynamic];
@@ -344,6 +345,7 @@ fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String
 
 fn sweep_mode(mode: &Mode) -> SweepMode {
     SweepMode {
+        key: mode.naming.name.key(),
         name: words::mode::title(mode.naming.name),
         re: mode.lambda.re,
         im: mode.lambda.im,

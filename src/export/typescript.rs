@@ -11,16 +11,19 @@ use std::fs;
 
 use ts_rs::{Config, TS, TypeVisitor};
 
-use super::disturbance::{DISTURBANCES, SHAPES};
-use super::subject::plane_name;
 use super::{
     AircraftReport, FrequencyReport, FrequencyRequest, ParameterReport, Report, ResponseReport,
     ResponseRequest, SweepReport, SweepRequest, json, sweep,
 };
 use crate::content::{MatrixFormat, Status};
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::modes::approximations::ApproximationName;
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
-use crate::flight::verdicts::mil_f_8785c::{Category, Class};
+use crate::flight::verdicts::handling_qualities::Level;
+use crate::flight::verdicts::mil_f_8785c::{Category, Class, Criterion};
+use crate::key::Keyed;
+use crate::scenario::{Shape, Source};
 
 const HEAD: &str =
     "// Written by a test of src/export/typescript.rs from the Rust types, whose comments these are.\n";
@@ -41,18 +44,20 @@ fn the_committed_types_are_those_of_the_structs() {
     types.visit::<FrequencyReport>();
     types.visit::<SweepReport>();
 
-    let planes = [Plane::Longitudinal, Plane::Lateral].map(plane_name);
-    let stabilities = [Stability::Stable, Stability::Neutral, Stability::Unstable].map(Stability::key);
-    let with_channel = DISTURBANCES.into_iter().filter(|(_, source)| !source.shapes().is_empty());
-    types.union("PlaneName", planes);
-    types.union("Disturbance", names(DISTURBANCES));
-    types.union("ControlOrGust", names(with_channel));
-    types.union("Shape", names(SHAPES));
-    types.union("MatrixFormat", names(MatrixFormat::NAMES));
-    types.union("Status", names(Status::NAMES));
-    types.union("AircraftClass", names(Class::NAMES));
-    types.union("FlightPhase", names(Category::NAMES));
-    types.union("Stability", stabilities);
+    let with_channel = Source::VALUES.iter().filter(|source| !source.shapes().is_empty());
+    types.union("PlaneName", keys::<Plane>());
+    types.union("Disturbance", keys::<Source>());
+    types.union("ControlOrGust", with_channel.map(|source| source.key()));
+    types.union("Shape", keys::<Shape>());
+    types.union("MatrixFormat", MatrixFormat::NAMES.map(|(name, _)| name));
+    types.union("Status", keys::<Status>());
+    types.union("AircraftClass", keys::<Class>());
+    types.union("FlightPhase", keys::<Category>());
+    types.union("Stability", keys::<Stability>());
+    types.union("ModeKey", keys::<ModeName>());
+    types.union("ApproximationKey", keys::<ApproximationName>());
+    types.union("CriterionKey", keys::<Criterion>());
+    types.union("LevelKey", keys::<Level>());
     types.union("StabilityKind", sweep::Verdict::ALL.map(sweep::Verdict::text));
 
     if std::env::var_os("UPDATE_TYPES").is_some() {
@@ -110,8 +115,8 @@ impl Types {
     }
 }
 
-fn names<T>(table: impl IntoIterator<Item = (&'static str, T)>) -> impl Iterator<Item = &'static str> {
-    table.into_iter().map(|(name, _)| name)
+fn keys<T: Keyed>() -> impl Iterator<Item = &'static str> {
+    T::VALUES.iter().map(|value| value.key())
 }
 
 /// One field a line, indented, its comment before it.

@@ -3,6 +3,7 @@
 use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::inputs::Input;
 use crate::flight::{Channel, Start};
+use crate::key::keys;
 
 /// Every disturbance begins here, so that the undisturbed flight before it can be seen \[s\].
 pub const START: f64 = 1.0;
@@ -32,6 +33,21 @@ pub enum Source {
     OneMode,
 }
 
+keys! {
+    Source {
+        Elevator => "elevator",
+        Throttle => "throttle",
+        VerticalGust => "vertical-gust" | "gust",
+        HeadGust => "head-gust" | "head_gust",
+        Rudder => "rudder",
+        Aileron => "aileron",
+        SideGust => "side-gust" | "side_gust",
+        Turbulence => "turbulence",
+        Release => "release",
+        OneMode => "mode",
+    }
+}
+
 /// The shape in time of a control or gust.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
@@ -49,6 +65,18 @@ pub enum Shape {
     Sweep,
     /// Swelling and dying away like a bell, ½(1 − cos).
     OneMinusCosine,
+}
+
+keys! {
+    Shape {
+        Step => "step",
+        Pulse => "pulse",
+        Doublet => "doublet",
+        ThreeTwoOneOne => "3-2-1-1" | "3211",
+        Sine => "sine",
+        Sweep => "sweep",
+        OneMinusCosine => "1-cosine" | "1-cos",
+    }
 }
 
 /// The numbers that size disturbances, SI.

@@ -1,9 +1,12 @@
-//! The outputs of a motion as a person reads them: symbol, name and unit.
+//! Inputs and outputs of a motion: key, symbol, name and unit of each.
 
 use super::Dimension;
+use crate::flight::Channel;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::outputs::Output;
+use crate::key::Keyed;
 
-/// How an output is written.
+/// How an input or output is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// Short name for files and programs, never changed once published.
@@ -17,27 +20,45 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// How this output is written.
-    pub const fn of(output: Output) -> Self {
-        let (key, symbol, name, dimension) = match output {
-            Output::ForwardSpeed => ("u", "Δu", "forward speed", Dimension::Speed),
-            Output::DownSpeed => ("w", "Δw", "velocity along z", Dimension::Speed),
-            Output::AngleOfAttack => ("alpha", "Δα", "angle of attack", Dimension::Angle),
-            Output::PitchRate => ("q", "q", "pitch rate", Dimension::AngularRate),
-            Output::PitchAngle => ("theta", "Δθ", "pitch angle", Dimension::Angle),
-            Output::PathAngle => ("gamma", "Δγ", "flight-path angle", Dimension::Angle),
-            Output::NormalLoad => ("nz", "Δn_z", "normal load factor", Dimension::Load),
-            Output::Height => ("h", "Δh", "height gained", Dimension::Length),
-            Output::Distance => ("x", "Δx", "distance gained", Dimension::Length),
-            Output::SideSpeed => ("v", "v", "sideways velocity", Dimension::Speed),
-            Output::Sideslip => ("beta", "β", "sideslip", Dimension::Angle),
-            Output::RollRate => ("p", "p", "roll rate", Dimension::AngularRate),
-            Output::YawRate => ("r", "r", "yaw rate", Dimension::AngularRate),
-            Output::BankAngle => ("phi", "φ", "bank angle", Dimension::Angle),
-            Output::SideLoad => ("ny", "n_y", "lateral load factor", Dimension::Load),
-            Output::Heading => ("psi", "ψ", "heading", Dimension::Angle),
-            Output::Offset => ("y", "y", "sideways displacement", Dimension::Length),
+    /// How an input of a plane is written. The names of moving air are a pilot's; its numbers are along the axes, as in [`Channel`].
+    pub const fn of_input(plane: Plane, channel: Channel) -> Self {
+        let (key, symbol, name, dimension) = match (plane, channel) {
+            (Plane::Longitudinal, Channel::First) => ("elevator", "δ_e", "elevator", Dimension::Angle),
+            (Plane::Longitudinal, Channel::Second) => {
+                ("throttle", "δ_t", "throttle", Dimension::ShareOfWeight)
+            }
+            (Plane::Lateral, Channel::First) => ("aileron", "δ_a", "aileron", Dimension::Angle),
+            (Plane::Lateral, Channel::Second) => ("rudder", "δ_r", "rudder", Dimension::Angle),
+            (_, Channel::AirAlong) => ("u_gust", "u_g", "air from ahead", Dimension::AirSpeed),
+            (Plane::Longitudinal, Channel::AirAcross) => ("w_gust", "w_g", "rising air", Dimension::AirSpeed),
+            (Plane::Lateral, Channel::AirAcross) => {
+                ("v_gust", "v_g", "air to the right", Dimension::AirSpeed)
+            }
         };
         Self { key, symbol, name, dimension }
+    }
+
+    /// How this output is written.
+    pub fn of(output: Output) -> Self {
+        let (symbol, name, dimension) = match output {
+            Output::ForwardSpeed => ("Δu", "forward speed", Dimension::Speed),
+            Output::DownSpeed => ("Δw", "velocity along z", Dimension::Speed),
+            Output::AngleOfAttack => ("Δα", "angle of attack", Dimension::Angle),
+            Output::PitchRate => ("q", "pitch rate", Dimension::AngularRate),
+            Output::PitchAngle => ("Δθ", "pitch angle", Dimension::Angle),
+            Output::PathAngle => ("Δγ", "flight-path angle", Dimension::Angle),
+            Output::NormalLoad => ("Δn_z", "normal load factor", Dimension::Load),
+            Output::Height => ("Δh", "height gained", Dimension::Length),
+            Output::Distance => ("Δx", "distance gained", Dimension::Length),
+            Output::SideSpeed => ("v", "sideways velocity", Dimension::Speed),
+            Output::Sideslip => ("β", "sideslip", Dimension::Angle),
+            Output::RollRate => ("p", "roll rate", Dimension::AngularRate),
+            Output::YawRate => ("r", "yaw rate", Dimension::AngularRate),
+            Output::BankAngle => ("φ", "bank angle", Dimension::Angle),
+            Output::SideLoad => ("n_y", "lateral load factor", Dimension::Load),
+            Output::Heading => ("ψ", "heading", Dimension::Angle),
+            Output::Offset => ("y", "sideways displacement", Dimension::Length),
+        };
+        Self { key: output.key(), symbol, name, dimension }
     }
 }

@@ -8,6 +8,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use super::{Page, Scenario};
 use crate::flight::aircraft::plane::ByPlane;
 use crate::flight::motion::outputs::Output;
+use crate::key::keys;
 
 /// How a person looks at a scenario.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +50,14 @@ pub enum Pane {
     Aircraft,
     /// The responses.
     Response,
+}
+
+keys! {
+    Pane {
+        Poles => "poles",
+        Aircraft => "aircraft",
+        Response => "response",
+    }
 }
 
 /// What is marked on the pole map beside the poles.
@@ -132,6 +141,15 @@ pub enum Tab {
     Metrics,
 }
 
+keys! {
+    Tab {
+        Time => "time",
+        Phase => "phase",
+        Frequency => "frequency",
+        Metrics => "metrics" | "figures",
+    }
+}
+
 impl Tab {
     /// All, in the order of the page.
     pub const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Metrics];
@@ -201,6 +219,15 @@ pub enum StandardView {
     Side,
     /// From above.
     Top,
+}
+
+keys! {
+    StandardView {
+        ThreeQuarter => "three-quarter",
+        Chase => "chase",
+        Side => "side",
+        Top => "top",
+    }
 }
 
 impl StandardView {

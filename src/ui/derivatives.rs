@@ -14,6 +14,7 @@ use super::theme::{self, Palette};
 use super::{arrow_keys, finger, influence};
 use crate::content::LengthUnit;
 use crate::findings::Findings;
+use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Page, Parameter, Scenario, parameters};
@@ -83,7 +84,7 @@ pub fn derivatives_ui(
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
     let mut touched = None;
-    let name = ("derivatives", page.text(), scenario.plane as usize);
+    let name = ("derivatives", page.key(), scenario.plane.key());
     let area = ScrollArea::vertical().max_height(height).auto_shrink([false, rows == Rows::Dense]);
     let mut found = false;
     finger::scroll_area_ui(ui, name, area, |ui| {

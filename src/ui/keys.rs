@@ -15,8 +15,8 @@ impl Pane {
         }
     }
 
-    /// The key that does so, as shown.
-    pub fn key(self) -> &'static str {
+    /// The key of the keyboard that maximises it, as shown.
+    pub fn shortcut(self) -> &'static str {
         let of_pane = SHORTCUTS.iter().find(|shortcut| shortcut.command == Command::Maximise(self));
         of_pane.map_or("", |shortcut| shortcut.shown)
     }

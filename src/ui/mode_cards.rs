@@ -13,9 +13,11 @@ use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::handling_qualities::{Level, Verdict};
 use crate::flight::verdicts::mil_f_8785c::Category;
+use crate::key::Keyed as _;
 use crate::number::{eigenvalue, significant};
 use crate::scenario::view::Details;
 use crate::words;
@@ -121,8 +123,8 @@ fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
 }
 
 /// Keeps a button where it is on screen when it opens something on every card: those above grow too, and push it down.
-fn hold_place(ui: &Ui, button: &Response, name: (&str, &str)) {
-    let id = Id::unique(("held in place", name));
+fn hold_place(ui: &Ui, button: &Response, mode: ModeName, detail: &str) {
+    let id = Id::unique(("held in place", mode.key(), detail));
     if button.clicked() {
         ui.data_mut(|data| data.insert_temp(id, button.rect.top()));
         ui.request_repaint();
@@ -157,19 +159,20 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             })
             .on_hover_text("Let the aircraft go in the shape of this mode: then nothing else moves")
             .clicked();
-        let toggle = |ui: &mut Ui, on: &mut bool, words: &str, what: &str, hover: WidgetText| {
-            let button = Button::selectable(*on, text(words)).frame_when_inactive(true);
-            let response = ui.add(button).accessible_name(format!("{what} of the {name}"));
-            hold_place(ui, &response, (name, what));
-            if response.on_hover_text(hover).clicked() {
-                *on = !*on;
-            }
-        };
+        let toggle =
+            |ui: &mut Ui, on: &mut bool, words: &str, (detail, what): (&str, &str), hover: WidgetText| {
+                let button = Button::selectable(*on, text(words)).frame_when_inactive(true);
+                let response = ui.add(button).accessible_name(format!("{what} of the {name}"));
+                hold_place(ui, &response, mode.naming.name, detail);
+                if response.on_hover_text(hover).clicked() {
+                    *on = !*on;
+                }
+            };
         toggle(
             ui,
             &mut details.shape,
             "Shape",
-            "Shape",
+            ("shape", "Shape"),
             "How large each quantity is in this mode, and how far ahead or behind it swings".into(),
         );
         if let Some((text, hover)) = approximation_button(plane, mode) {
@@ -177,7 +180,7 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
                 ui,
                 &mut details.approximations,
                 &text,
-                "Approximations",
+                ("approximations", "Approximations"),
                 prose(&hover, theme::body(), Palette::of(ui).text).into(),
             );
         }
@@ -258,7 +261,7 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         theme::focus_ring(ui, &chip);
         let chip =
             chip.accessible_name(format!("Level of the {}", words::mode::in_a_sentence(mode.naming.name)));
-        hold_place(ui, &chip, (words::mode::title(mode.naming.name), "Level"));
+        hold_place(ui, &chip, mode.naming.name, "levels");
         let hover = format!(
             "{}. Press to see which paragraphs of MIL-F-8785C set the level.",
             words::verdict::category_with_phases(category)

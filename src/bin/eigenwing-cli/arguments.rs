@@ -47,7 +47,7 @@ pub enum Command {
         /// step, pulse, doublet, 3-2-1-1, sine or sweep; of a gust 1-cosine, step or sine
         #[arg(long, value_name = "NAME")]
         shape: Option<String>,
-        /// The mode that is flown alone, such as "phugoid"
+        /// Key of the mode that is flown alone, such as "short-period"
         #[arg(long, value_name = "NAME")]
         mode: Option<String>,
         /// Steps between the samples [default: 600]

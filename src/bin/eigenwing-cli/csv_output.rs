@@ -71,7 +71,7 @@ pub fn analysis(report: &Report) -> String {
         report.modes.iter().map(move |mode| {
             [
                 plane.to_owned(),
-                mode.name.to_owned(),
+                mode.key.to_owned(),
                 mode.stability.to_owned(),
                 mode.re.to_string(),
                 mode.im.to_string(),
@@ -103,8 +103,8 @@ pub fn response(report: &ResponseReport) -> String {
         columns.push((heading(&format!("{} nonlinear", signal.name), signal.unit), &signal.values));
     }
     for split in report.split.iter().flatten().filter_map(SplitOutcome::split) {
-        let parts = split.parts.iter().map(|part| (part.mode, &part.values));
-        for (mode, values) in parts.chain([("no mode", &split.rest)]) {
+        let parts = split.parts.iter().map(|part| (part.mode_key, &part.values));
+        for (mode, values) in parts.chain([("no-mode", &split.rest)]) {
             columns.push((heading(&format!("{} of {mode}", split.name), split.unit), values));
         }
     }
@@ -181,7 +181,7 @@ fn rows_of(at: &str, name: &str, plane: &SweepPlane) -> Vec<[String; 11]> {
         [
             at.to_owned(),
             name.to_owned(),
-            mode.name.to_owned(),
+            mode.key.to_owned(),
             mode.re.to_string(),
             mode.im.to_string(),
             optional(mode.natural_frequency),

@@ -48,10 +48,14 @@ export type Analysis = {
 
 /** A textbook approximation beside the exact mode. */
 export type Approximation = {
-  /** The mode that it approximates. */
+  /** Name of the mode that it approximates. */
   mode: string,
-  /** Name of the approximation. */
+  /** Key of the mode. */
+  mode_key: ModeKey,
+  /** Name of the approximation, among those of the mode. */
   name: string,
+  /** Key of the approximation, among all. */
+  key: ApproximationKey,
   /** Its formula. */
   formula: string,
   /** Terms and motions that it leaves out. */
@@ -66,7 +70,11 @@ export type Approximation = {
   damping_error: number | null,
 };
 
+export type ApproximationKey = "short-period-two-states" | "short-period-pitch-only" | "phugoid-lanchester" | "phugoid-two-states" | "phugoid-residualised" | "phugoid-quartic" | "dutch-roll-two-states" | "dutch-roll-yaw-only" | "roll-damping" | "spiral-polynomial" | "spiral-with-gravity" | "spiral-quick";
+
 export type ControlOrGust = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust";
+
+export type CriterionKey = "phugoid" | "short-period-damping" | "short-period-frequency" | "dutch-roll" | "roll-mode" | "spiral" | "coupled-roll-spiral";
 
 export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust" | "turbulence" | "release" | "mode";
 
@@ -131,7 +139,7 @@ export type FrequencyResponse = {
   set: Record<string, number>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
-  /** The disturbance by its name in a request. */
+  /** Key of the disturbance. */
   disturbance: ControlOrGust,
   /** The input: air is positive forward, downward and to the right, whatever the sense of the disturbance's size. */
   input: Measured,
@@ -150,12 +158,16 @@ export type FrequencyResponse = {
   /** Name of a mode that grows: then no steady oscillation ever answers a sine, and the numbers are only the transfer function
    * at s = jω. Null where every mode stays. */
   growing_mode: string | null,
+  /** Its key. */
+  growing_mode_key: ModeKey | null,
 };
 
 /** A local maximum of the gain. */
 export type GainPeak = {
   /** Name of the oscillation nearest in frequency. */
   mode: string,
+  /** Its key. */
+  mode_key: ModeKey,
   /** Its angular frequency [rad/s], to seven digits or so: a maximum is flat. */
   frequency: number,
   /** Gain there; null where it has no bound, at an oscillation that neither dies away nor grows. */
@@ -174,10 +186,14 @@ export type JudgedValue = {
 
 /** A level of handling qualities. */
 export type Level = {
-  /** The criterion. */
+  /** The criterion in words. */
   criterion: string,
-  /** `Level 1` to `Level 3`, or `Worse than Level 3`. */
+  /** Key of the criterion. */
+  criterion_key: CriterionKey,
+  /** The level in words. */
   level: string,
+  /** Key of the level. */
+  level_key: LevelKey,
   /** Whether a value equals a limit to three digits. */
   on_boundary: boolean,
   /** Paragraph of MIL-F-8785C. */
@@ -189,6 +205,8 @@ export type Level = {
   /** The verdict with the limit that governs it, in one sentence. */
   sentence: string,
 };
+
+export type LevelKey = "level-1" | "level-2" | "level-3" | "worse-than-level-3";
 
 export type MatrixFormat = "json" | "csv" | "m";
 
@@ -202,6 +220,8 @@ export type Measured = {
 
 /** A mode. */
 export type Mode = {
+  /** Key of the mode. */
+  key: ModeKey,
   /** Name of the mode. */
   name: string,
   /** Why, with numbers. */
@@ -240,6 +260,8 @@ export type Mode = {
   condition: number,
 };
 
+export type ModeKey = "short-period" | "short-period-fast-root" | "short-period-slow-root" | "pitch-subsidence" | "pitch-divergence" | "third-oscillatory" | "phugoid" | "phugoid-fast-root" | "phugoid-slow-root" | "speed-subsidence" | "speed-divergence" | "dutch-roll" | "dutch-roll-more-stable-root" | "dutch-roll-less-stable-root" | "sideslip-subsidence" | "directional-divergence" | "coupled-roll-spiral" | "lateral-oscillation" | "roll-subsidence" | "roll-divergence" | "spiral" | "lateral-subsidence" | "lateral-divergence";
+
 /** Frequency and damping, or a real root. */
 export type ModeValue = {
   /** ωₙ. */
@@ -259,12 +281,14 @@ export type Motion = {
   set: Record<string, number>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
-  /** The disturbance by its name in a request. */
+  /** Key of the disturbance. */
   disturbance: Disturbance,
-  /** Its shape by its name in a request; null where it has one of its own. */
+  /** Key of its shape; null where it has one of its own. */
   shape: Shape | null,
   /** Name of the mode that is flown alone; null with other disturbances. */
   mode: string | null,
+  /** Its key. */
+  mode_key: ModeKey | null,
   /** Times of the samples [s]. */
   time: Array<number>,
   /** Inputs at these times; none where the aircraft is let go. */
@@ -331,6 +355,8 @@ export type Parameter = {
 export type Part = {
   /** Name of the mode. */
   mode: string,
+  /** Its key. */
+  mode_key: ModeKey,
   /** A value at each time. */
   values: Array<number>,
 };
@@ -345,9 +371,9 @@ export type Peak = {
 
 /** The analysis of one plane of motion. */
 export type Plane = {
-  /** Names of the states, in the order of the rows and columns. */
+  /** Keys of the states, in the order of the rows and columns. */
   states: [string, string, string, string],
-  /** Names of the inputs, in the order of the columns of B. */
+  /** Keys of the inputs, in the order of the columns of B. */
   inputs: [string, string],
   /** State matrix, row by row. */
   a: [[number, number, number, number], [number, number, number, number], [number, number, number, number], [number, number, number, number]],
@@ -385,7 +411,7 @@ export type ResponseRequest = {
   disturbance?: Disturbance,
   /** Its shape in time, of those it can have; by default that of the page. */
   shape?: Shape,
-  /** Name of the mode that is flown alone, with the disturbance `mode`; by default the first. */
+  /** Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name is read, too. */
   mode?: string,
   /** Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s. */
   steps?: number,
@@ -515,6 +541,8 @@ export type SweepChange = {
 
 /** A mode at one point. */
 export type SweepMode = {
+  /** Key of the mode. */
+  key: ModeKey,
   /** Name of the mode. */
   name: string,
   /** Real part. */

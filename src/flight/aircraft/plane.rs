@@ -5,6 +5,7 @@ use std::ops::{Index, IndexMut};
 use nalgebra::{Matrix4, Matrix4x2};
 
 use super::real::Real;
+use crate::key::keys;
 
 /// The two families of motion that separate for a symmetric aircraft in symmetric flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,17 +16,16 @@ pub enum Plane {
     Lateral,
 }
 
+keys! {
+    Plane {
+        Longitudinal => "longitudinal" | "lon",
+        Lateral => "lateral" | "lat",
+    }
+}
+
 impl Plane {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Longitudinal, Self::Lateral];
-
-    /// Key in JSON and on the command line; it never changes.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "longitudinal",
-            Self::Lateral => "lateral",
-        }
-    }
 }
 
 /// One thing for each plane: `pair.lateral`, or `pair[plane]` where the plane is a value.

@@ -14,6 +14,7 @@ use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::study::DerivativeStudy;
+use crate::key::keys;
 
 /// Which approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,25 +45,24 @@ pub enum ApproximationName {
     SpiralQuick,
 }
 
-impl ApproximationName {
-    /// Key in JSON; it never changes.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::ShortPeriodTwoStates => "short-period-two-states",
-            Self::ShortPeriodPitchOnly => "short-period-pitch-only",
-            Self::PhugoidLanchester => "phugoid-lanchester",
-            Self::PhugoidTwoStates => "phugoid-two-states",
-            Self::PhugoidResidualised => "phugoid-residualised",
-            Self::PhugoidQuartic => "phugoid-quartic",
-            Self::DutchRollTwoStates => "dutch-roll-two-states",
-            Self::DutchRollYawOnly => "dutch-roll-yaw-only",
-            Self::RollDamping => "roll-damping",
-            Self::SpiralPolynomial => "spiral-polynomial",
-            Self::SpiralWithGravity => "spiral-with-gravity",
-            Self::SpiralQuick => "spiral-quick",
-        }
+keys! {
+    ApproximationName {
+        ShortPeriodTwoStates => "short-period-two-states",
+        ShortPeriodPitchOnly => "short-period-pitch-only",
+        PhugoidLanchester => "phugoid-lanchester",
+        PhugoidTwoStates => "phugoid-two-states",
+        PhugoidResidualised => "phugoid-residualised",
+        PhugoidQuartic => "phugoid-quartic",
+        DutchRollTwoStates => "dutch-roll-two-states",
+        DutchRollYawOnly => "dutch-roll-yaw-only",
+        RollDamping => "roll-damping",
+        SpiralPolynomial => "spiral-polynomial",
+        SpiralWithGravity => "spiral-with-gravity",
+        SpiralQuick => "spiral-quick",
     }
+}
 
+impl ApproximationName {
     /// Whether it is the first that a course would name of its mode: one for each.
     pub const fn is_principal(self) -> bool {
         matches!(

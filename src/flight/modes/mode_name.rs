@@ -6,6 +6,7 @@ use super::reason::{Fact, Reason, StateSet};
 use super::stability::Stability;
 use crate::flight::aircraft::plane::Trim;
 use crate::flight::aircraft::states::Longitudinal;
+use crate::key::keys;
 
 /// What a mode is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,61 +59,31 @@ pub enum ModeName {
     LateralDivergence,
 }
 
-impl ModeName {
-    /// Every name, in the order in which modes are listed.
-    pub const ALL: [Self; 23] = [
-        Self::ShortPeriod,
-        Self::ShortPeriodFastRoot,
-        Self::ShortPeriodSlowRoot,
-        Self::PitchSubsidence,
-        Self::PitchDivergence,
-        Self::ThirdOscillatory,
-        Self::Phugoid,
-        Self::PhugoidFastRoot,
-        Self::PhugoidSlowRoot,
-        Self::SpeedSubsidence,
-        Self::SpeedDivergence,
-        Self::DutchRoll,
-        Self::DutchRollMoreStableRoot,
-        Self::DutchRollLessStableRoot,
-        Self::SideslipSubsidence,
-        Self::DirectionalDivergence,
-        Self::CoupledRollSpiral,
-        Self::LateralOscillation,
-        Self::RollSubsidence,
-        Self::RollDivergence,
-        Self::Spiral,
-        Self::LateralSubsidence,
-        Self::LateralDivergence,
-    ];
-
-    /// Key in files, links, JSON and on the command line; it never changes.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::ShortPeriod => "short-period",
-            Self::ShortPeriodFastRoot => "short-period-fast-root",
-            Self::ShortPeriodSlowRoot => "short-period-slow-root",
-            Self::PitchSubsidence => "pitch-subsidence",
-            Self::PitchDivergence => "pitch-divergence",
-            Self::ThirdOscillatory => "third-oscillatory",
-            Self::Phugoid => "phugoid",
-            Self::PhugoidFastRoot => "phugoid-fast-root",
-            Self::PhugoidSlowRoot => "phugoid-slow-root",
-            Self::SpeedSubsidence => "speed-subsidence",
-            Self::SpeedDivergence => "speed-divergence",
-            Self::DutchRoll => "dutch-roll",
-            Self::DutchRollMoreStableRoot => "dutch-roll-more-stable-root",
-            Self::DutchRollLessStableRoot => "dutch-roll-less-stable-root",
-            Self::SideslipSubsidence => "sideslip-subsidence",
-            Self::DirectionalDivergence => "directional-divergence",
-            Self::CoupledRollSpiral => "coupled-roll-spiral",
-            Self::LateralOscillation => "lateral-oscillation",
-            Self::RollSubsidence => "roll-subsidence",
-            Self::RollDivergence => "roll-divergence",
-            Self::Spiral => "spiral",
-            Self::LateralSubsidence => "lateral-subsidence",
-            Self::LateralDivergence => "lateral-divergence",
-        }
+keys! {
+    ModeName {
+        ShortPeriod => "short-period",
+        ShortPeriodFastRoot => "short-period-fast-root",
+        ShortPeriodSlowRoot => "short-period-slow-root",
+        PitchSubsidence => "pitch-subsidence",
+        PitchDivergence => "pitch-divergence",
+        ThirdOscillatory => "third-oscillatory" | "third-oscillatory-mode",
+        Phugoid => "phugoid",
+        PhugoidFastRoot => "phugoid-fast-root",
+        PhugoidSlowRoot => "phugoid-slow-root",
+        SpeedSubsidence => "speed-subsidence",
+        SpeedDivergence => "speed-divergence",
+        DutchRoll => "dutch-roll",
+        DutchRollMoreStableRoot => "dutch-roll-more-stable-root",
+        DutchRollLessStableRoot => "dutch-roll-less-stable-root",
+        SideslipSubsidence => "sideslip-subsidence",
+        DirectionalDivergence => "directional-divergence",
+        CoupledRollSpiral => "coupled-roll-spiral",
+        LateralOscillation => "lateral-oscillation",
+        RollSubsidence => "roll-subsidence",
+        RollDivergence => "roll-divergence",
+        Spiral => "spiral",
+        LateralSubsidence => "lateral-subsidence",
+        LateralDivergence => "lateral-divergence",
     }
 }
 

@@ -1,5 +1,7 @@
 //! Stable, neutral or unstable: of a motion as time goes on, or of a moment that meets a displacement.
 
+use crate::key::keys;
+
 /// Below this fraction of the largest |λ| of the matrix, a real part counts as zero.
 ///
 /// Eigenvalues carry rounding of a few 1e-16 of the matrix norm; 1e-9 is far above that and far below any
@@ -18,14 +20,11 @@ pub enum Stability {
     Unstable,
 }
 
-impl Stability {
-    /// Key in JSON and tables; it never changes.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Neutral => "neutral",
-            Self::Unstable => "unstable",
-        }
+keys! {
+    Stability {
+        Stable => "stable",
+        Neutral => "neutral",
+        Unstable => "unstable",
     }
 }
 

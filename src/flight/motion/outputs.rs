@@ -9,6 +9,7 @@ use super::flight_path::{FlightPath, Sample};
 use super::response::{Forced, Response};
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
+use crate::key::keys;
 
 /// Something to watch, as a change from the steady flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +50,28 @@ pub enum Output {
     Offset,
 }
 
+keys! {
+    Output {
+        ForwardSpeed => "u",
+        AngleOfAttack => "alpha",
+        PitchRate => "q",
+        PitchAngle => "theta",
+        PathAngle => "gamma",
+        NormalLoad => "nz",
+        Height => "h",
+        Distance => "x",
+        DownSpeed => "w",
+        Sideslip => "beta",
+        RollRate => "p",
+        YawRate => "r",
+        BankAngle => "phi",
+        Heading => "psi",
+        SideLoad => "ny",
+        Offset => "y",
+        SideSpeed => "v",
+    }
+}
+
 /// An output as a sum: y = c · x + k · path + Σ (d δ + ḋ δ̇) over the inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputRow {
@@ -61,6 +84,14 @@ pub struct OutputRow {
 }
 
 impl Output {
+    /// The states of a plane, in the order of the state vector.
+    pub const fn states(plane: Plane) -> [Self; 4] {
+        match plane {
+            Plane::Longitudinal => [Self::ForwardSpeed, Self::DownSpeed, Self::PitchRate, Self::PitchAngle],
+            Plane::Lateral => [Self::SideSpeed, Self::RollRate, Self::YawRate, Self::BankAngle],
+        }
+    }
+
     /// Those of a plane, states first.
     pub const fn of(plane: Plane) -> &'static [Self] {
         match plane {

@@ -12,6 +12,7 @@ use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
+use crate::key::keys;
 
 /// How good the handling is (1.5, p. 4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,17 +27,16 @@ pub enum Level {
     Beyond,
 }
 
-impl Level {
-    /// Key in JSON and links; it never changes.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::One => "level-1",
-            Self::Two => "level-2",
-            Self::Three => "level-3",
-            Self::Beyond => "worse-than-level-3",
-        }
+keys! {
+    Level {
+        One => "level-1",
+        Two => "level-2",
+        Three => "level-3",
+        Beyond => "worse-than-level-3",
     }
+}
 
+impl Level {
     const fn number(self) -> usize {
         self as usize
     }

@@ -6,6 +6,7 @@
 
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD};
+use crate::key::keys;
 
 /// The kind of aircraft (1.3, pp. 1–2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,11 +23,17 @@ pub enum Class {
     IV,
 }
 
-impl Class {
-    /// The classes by the name that a file gives them.
-    pub const NAMES: [(&'static str, Self); 5] =
-        [("I", Self::I), ("II", Self::II), ("II-C", Self::IICarrier), ("III", Self::III), ("IV", Self::IV)];
+keys! {
+    Class {
+        I => "I",
+        II => "II",
+        IICarrier => "II-C",
+        III => "III",
+        IV => "IV",
+    }
+}
 
+impl Class {
     /// Classes I, II-C and IV, which the tables set apart from II-L and III in the terminal phases.
     fn is_agile_in_terminal_phases(self) -> bool {
         matches!(self, Self::I | Self::IICarrier | Self::IV)
@@ -51,11 +58,16 @@ pub enum Category {
     C,
 }
 
-impl Category {
-    /// The categories by the name that a file gives them.
-    pub const NAMES: [(&'static str, Self); 4] =
-        [("A-combat", Self::ACombat), ("A", Self::A), ("B", Self::B), ("C", Self::C)];
+keys! {
+    Category {
+        ACombat => "A-combat",
+        A => "A",
+        B => "B",
+        C => "C",
+    }
+}
 
+impl Category {
     /// The letter of the category.
     pub const fn letter(self) -> &'static str {
         match self {
@@ -129,20 +141,19 @@ pub enum Criterion {
     CoupledRollSpiral,
 }
 
-impl Criterion {
-    /// Key in JSON; it never changes.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Phugoid => "phugoid",
-            Self::ShortPeriodDamping => "short-period-damping",
-            Self::ShortPeriodFrequency => "short-period-frequency",
-            Self::DutchRoll => "dutch-roll",
-            Self::RollMode => "roll-mode",
-            Self::Spiral => "spiral",
-            Self::CoupledRollSpiral => "coupled-roll-spiral",
-        }
+keys! {
+    Criterion {
+        Phugoid => "phugoid",
+        ShortPeriodDamping => "short-period-damping",
+        ShortPeriodFrequency => "short-period-frequency",
+        DutchRoll => "dutch-roll",
+        RollMode => "roll-mode",
+        Spiral => "spiral",
+        CoupledRollSpiral => "coupled-roll-spiral",
     }
+}
 
+impl Criterion {
     /// The mode that it judges.
     pub const fn concerns(self) -> ModeName {
         match self {

@@ -21,9 +21,10 @@ use std::sync::Arc;
 pub use notice::Notice;
 pub use pieces::LONGEST;
 
-use super::{Parameter, Scenario, Shape, View, parameters};
+use super::{Choice, Parameter, Scenario, Source, View, parameters};
 use crate::content::{Aircraft, LengthUnit};
 use crate::flight::aircraft::plane::Plane;
+use crate::key::Keyed;
 use pieces::Pieces;
 
 /// The version that is written. It rises when a link of this kind can't be understood any more by what came before.
@@ -47,7 +48,7 @@ pub fn write(scenario: &Scenario, view: &View, pinned: Option<&Scenario>) -> Str
     let mut pieces = vec![("v".to_owned(), VERSION.to_string())];
     write_aircraft(scenario, "", &mut pieces);
     if scenario.plane != Plane::Longitudinal {
-        pieces.push(("plane".to_owned(), words::plane(scenario.plane).to_owned()));
+        pieces.push(("plane".to_owned(), scenario.plane.in_links().to_owned()));
     }
     write_disturbance(scenario, &mut pieces);
     pieces.extend(view.write(scenario));
@@ -77,23 +78,16 @@ fn write_disturbance(scenario: &Scenario, pieces: &mut Vec<(String, String)>) {
     let reference = Scenario::new(scenario.aircraft.clone());
     for plane in Plane::ALL {
         let (choice, usual) = (scenario.disturbance.choices[plane], reference.disturbance.choices[plane]);
-        let shapes = |shape: Shape| words::word_of(&words::SHAPES, shape);
-        let differing = [
-            (
-                "source",
-                (choice.source != usual.source).then(|| words::word_of(&words::SOURCES, choice.source)),
-            ),
-            ("shape", (choice.control_shape != usual.control_shape).then(|| shapes(choice.control_shape))),
-            ("gust", (choice.gust_shape != usual.gust_shape).then(|| shapes(choice.gust_shape))),
-        ];
-        for (key, word) in differing {
-            if let Some(word) = word.flatten() {
-                pieces.push((format!("{}.{key}", words::plane(plane)), word.to_owned()));
+        let mut differing = |key, differs: bool, word: String| {
+            if differs {
+                pieces.push((format!("{}.{key}", plane.in_links()), word));
             }
-        }
-        if choice.mode != usual.mode {
-            pieces.push((format!("{}.mode", words::plane(plane)), (choice.mode + 1).to_string()));
-        }
+        };
+        let Choice { source, control_shape, gust_shape, mode } = choice;
+        differing("source", source != usual.source, source.in_links().to_owned());
+        differing("shape", control_shape != usual.control_shape, control_shape.in_links().to_owned());
+        differing("gust", gust_shape != usual.gust_shape, gust_shape.in_links().to_owned());
+        differing("mode", mode != usual.mode, (mode + 1).to_string());
     }
     let disturbance = &scenario.disturbance;
     for p in parameters().filter(|p| p.is_of_disturbance()) {
@@ -199,7 +193,7 @@ fn take_edits(pieces: &mut Pieces, prefix: &str) -> bool {
 }
 
 fn read_plane(pieces: &mut Pieces, scenario: &mut Scenario) {
-    let Some(plane) = pieces.take_word("plane", &words::PLANES) else { return };
+    let Some(plane) = pieces.take_as("plane", Plane::by_key) else { return };
     if scenario.aircraft.plane_notes[plane].is_some() {
         scenario.plane = plane;
     } else {
@@ -209,12 +203,11 @@ fn read_plane(pieces: &mut Pieces, scenario: &mut Scenario) {
 
 fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
     for plane in Plane::ALL {
-        let key = |word| format!("{}.{word}", words::plane(plane));
-        let source =
-            pieces.take_of(&key("source"), &words::SOURCES, |source| words::can_disturb(plane, source));
-        let shape = pieces.take_of(&key("shape"), &words::SHAPES, words::is_of_control);
-        let gust = pieces.take_of(&key("gust"), &words::SHAPES, words::is_of_gust);
-        let mode = pieces.take_of(&key("mode"), &words::MODES, |_| true);
+        let key = |word| format!("{}.{word}", plane.in_links());
+        let source = pieces.take_as(&key("source"), |word| one_of(Source::of(plane), word));
+        let shape = pieces.take_as(&key("shape"), |word| one_of(Source::Elevator.shapes(), word));
+        let gust = pieces.take_as(&key("gust"), |word| one_of(Source::VerticalGust.shapes(), word));
+        let mode = pieces.take_word(&key("mode"), &words::MODES);
         let choice = &mut scenario.disturbance.choices[plane];
         choice.source = source.unwrap_or(choice.source);
         choice.control_shape = shape.unwrap_or(choice.control_shape);
@@ -232,6 +225,11 @@ fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
             p.set(scenario, value);
         }
     }
+}
+
+/// The value of a key in a list, where it is one of `fitting`.
+fn one_of<T: Keyed>(fitting: &[T], word: &str) -> Option<T> {
+    T::by_key(word).filter(|value| fitting.contains(value))
 }
 
 /// The number of a key, where there is one that the parameter accepts \[SI\].

@@ -51,18 +51,13 @@ impl Pieces {
 
     /// What the word of a key stands for.
     pub fn take_word<T: Copy>(&mut self, key: &str, words: &[(&str, T)]) -> Option<T> {
-        self.take_of(key, words, |_| true)
+        self.take_as(key, |word| words::meaning_of(words, word))
     }
 
-    /// What the word of a key stands for, where that fits the key.
-    pub fn take_of<T: Copy>(
-        &mut self,
-        key: &str,
-        words: &[(&str, T)],
-        fits: impl Fn(T) -> bool,
-    ) -> Option<T> {
+    /// The value of a key as `read` understands it; one that it doesn't is left out and told.
+    pub fn take_as<T>(&mut self, key: &str, read: impl Fn(&str) -> Option<T>) -> Option<T> {
         let word = self.take(key)?;
-        let meant = words::meaning_of(words, &word).filter(|&meant| fits(meant));
+        let meant = read(&word);
         if meant.is_none() {
             self.notices.push(Notice::Word { key: quoted(key), word: quoted(&word) });
         }

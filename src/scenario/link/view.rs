@@ -4,14 +4,15 @@
 //! A value that is no good is left out as a whole, with one sentence.
 
 use super::super::view::{
-    Camera, Details, FlightView, Marks, Overlays, Pace, ResponseView, StandardView, View,
+    Camera, Details, FlightView, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
-use super::super::{Quantity, Scenario};
-use super::notice::{Notice, quoted};
+use super::super::{Page, Scenario};
+use super::notice::Notice;
 use super::pieces::Pieces;
 use super::words;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::outputs::Output;
+use crate::key::Keyed;
 
 impl View {
     /// The pieces of a link that differ from the page as it opens.
@@ -28,16 +29,16 @@ impl View {
         let Self { page, maximised, marks, details, response, flight } = self;
         let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
         let mut pieces: Vec<(String, String)> = [
-            ("page", words::word_of(&words::PAGES, *page)),
-            ("tab", words::word_of(&words::TABS, response.tab)),
+            ("page", Some(page.in_links())),
+            ("tab", Some(response.tab.in_links())),
             ("flight", words::word_of(&words::FLIGHTS, response.nonlinear)),
         ]
         .map(|(key, value)| (key.to_owned(), word(value)))
         .into();
         for plane in Plane::ALL {
             let mut of_plane = |key, outputs: &[Output]| {
-                let keys: Vec<&str> = outputs.iter().map(|output| Quantity::of(*output).key).collect();
-                pieces.push((format!("{}.{key}", words::plane(plane)), keys.join(".")));
+                let keys: Vec<&str> = outputs.iter().map(|output| output.key()).collect();
+                pieces.push((format!("{}.{key}", plane.in_links()), keys.join(".")));
             };
             of_plane("show", &response.shown[plane]);
             let portraits = response.portraits[plane].map(|(across, upward)| [across, upward]);
@@ -48,7 +49,7 @@ impl View {
             ("split", word(words::word_of(&words::SPLITS, response.split))),
             ("marks", listed(&words::MARKS, marks.flags())),
             ("details", listed(&words::DETAILS, details.flags())),
-            ("pane", word(maximised.and_then(|pane| words::word_of(&words::PANES, pane)))),
+            ("pane", word(maximised.map(Keyed::in_links))),
             ("camera", camera_text(flight.camera)),
             ("drawn", listed(&words::OVERLAYS, flight.overlays.flags())),
             ("rate", word(words::word_of(&words::RATES, flight.pace.rate))),
@@ -63,17 +64,17 @@ impl View {
     pub(super) fn read(pieces: &mut Pieces, scenario: &Scenario) -> Self {
         let mut view = Self::of(scenario);
         view.response.read(pieces);
-        if let Some([approximations, levels]) = take(pieces, "marks", |text| flags(&words::MARKS, text)) {
+        if let Some([approximations, levels]) = pieces.take_as("marks", |text| flags(&words::MARKS, text)) {
             view.marks = Marks { approximations, levels };
         }
         if let Some([shape, levels, approximations]) =
-            take(pieces, "details", |text| flags(&words::DETAILS, text))
+            pieces.take_as("details", |text| flags(&words::DETAILS, text))
         {
             view.details = Details { shape, levels, approximations };
         }
-        view.maximised = pieces.take_word("pane", &words::PANES);
+        view.maximised = pieces.take_as("pane", Pane::by_key);
         view.flight.read(pieces);
-        if let Some(page) = pieces.take_word("page", &words::PAGES) {
+        if let Some(page) = pieces.take_as("page", Page::by_key) {
             if page.is_of(scenario) {
                 view.page = page;
             } else {
@@ -82,7 +83,7 @@ impl View {
             }
         }
         let response = &mut view.response;
-        response.tab = pieces.take_word("tab", &words::TABS).unwrap_or(response.tab);
+        response.tab = pieces.take_as("tab", Tab::by_key).unwrap_or(response.tab);
         response.nonlinear = pieces.take_word("flight", &words::FLIGHTS).unwrap_or(response.nonlinear);
         view
     }
@@ -92,19 +93,19 @@ impl ResponseView {
     /// Takes what there is one a plane, and whether motions are split.
     fn read(&mut self, pieces: &mut Pieces) {
         for plane in Plane::ALL {
-            let key = |key| format!("{}.{key}", words::plane(plane));
-            if let Some(mut shown) = take(pieces, &key("show"), |text| outputs(plane, text)) {
+            let key = |key| format!("{}.{key}", plane.in_links());
+            if let Some(mut shown) = pieces.take_as(&key("show"), |text| outputs(plane, text)) {
                 // In the order of the page, whatever the order of the link.
                 shown.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
                 shown.dedup();
                 self.shown[plane] = shown;
             }
             let four = |text: &str| <[Output; 4]>::try_from(outputs(plane, text)?).ok();
-            if let Some([a, b, c, d]) = take(pieces, &key("phase"), four) {
+            if let Some([a, b, c, d]) = pieces.take_as(&key("phase"), four) {
                 self.portraits[plane] = [(a, b), (c, d)];
             }
             let one = |text: &str| <[Output; 1]>::try_from(outputs(plane, text)?).ok();
-            if let Some([output]) = take(pieces, &key("frequency_of"), one) {
+            if let Some([output]) = pieces.take_as(&key("frequency_of"), one) {
                 self.frequency_of[plane] = output;
             }
         }
@@ -114,9 +115,9 @@ impl ResponseView {
 
 impl FlightView {
     fn read(&mut self, pieces: &mut Pieces) {
-        self.camera = take(pieces, "camera", read_camera).unwrap_or_default();
+        self.camera = pieces.take_as("camera", read_camera).unwrap_or_default();
         if let Some([body_axes, earth_axes, angles, rates, forces, flow, path, moments]) =
-            take(pieces, "drawn", |text| flags(&words::OVERLAYS, text))
+            pieces.take_as("drawn", |text| flags(&words::OVERLAYS, text))
         {
             self.overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
         }
@@ -148,8 +149,8 @@ impl Overlays {
 /// A standard view by its word, any other in whole degrees and per cent: short, and the same in every browser.
 fn camera_text(camera: Camera) -> String {
     let standard = StandardView::ALL.into_iter().find(|view| view.camera() == camera);
-    match standard.and_then(|view| words::word_of(&words::STANDARD_VIEWS, view)) {
-        Some(word) => word.to_owned(),
+    match standard {
+        Some(view) => view.in_links().to_owned(),
         None => {
             let [azimuth, elevation] =
                 [camera.azimuth, camera.elevation].map(|x| x.to_degrees().round() as i16);
@@ -159,7 +160,7 @@ fn camera_text(camera: Camera) -> String {
 }
 
 fn read_camera(text: &str) -> Option<Camera> {
-    if let Some(standard) = words::meaning_of(&words::STANDARD_VIEWS, text) {
+    if let Some(standard) = StandardView::by_key(text) {
         return Some(standard.camera());
     }
     let numbers: Vec<i16> = text.split('.').map(|part| part.parse().ok()).collect::<Option<_>>()?;
@@ -170,20 +171,9 @@ fn read_camera(text: &str) -> Option<Camera> {
     fits.then(|| Camera::new(azimuth, elevation, f32::from(distance) / 100.0))
 }
 
-/// The value of a key as `read` understands it; one that it doesn't is left out and told.
-fn take<T>(pieces: &mut Pieces, key: &str, read: impl Fn(&str) -> Option<T>) -> Option<T> {
-    let text = pieces.take(key)?;
-    let meant = read(&text);
-    if meant.is_none() {
-        pieces.notices.push(Notice::Word { key: quoted(key), word: quoted(&text) });
-    }
-    meant
-}
-
 /// Outputs of a plane, joined by points.
 fn outputs(plane: Plane, text: &str) -> Option<Vec<Output>> {
-    let output = |key| Output::of(plane).iter().find(|output| Quantity::of(**output).key == key).copied();
-    text.split('.').map(output).collect()
+    text.split('.').map(|key| Output::by_key(key).filter(|output| output.plane() == plane)).collect()
 }
 
 /// The words of what is on, joined by points.

@@ -23,6 +23,7 @@ use crate::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDeriv
 use crate::flight::aircraft::knobs::Knobs;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::study::{DerivativeStudy, Models, Study};
+use crate::key::keys;
 use crate::number::trimmed;
 
 /// A page of sliders.
@@ -34,6 +35,14 @@ pub enum Page {
     Dimensional,
     /// Entries of A and B.
     Matrix,
+}
+
+keys! {
+    Page {
+        Coefficients => "coefficients",
+        Dimensional => "dimensional",
+        Matrix => "matrix",
+    }
 }
 
 impl Page {

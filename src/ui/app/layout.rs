@@ -193,8 +193,11 @@ impl App {
         let name = format!("{} alone beside the sliders", pane.text());
         let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
         let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
-        let hover =
-            if maximised { "Back to its place (Esc)".to_owned() } else { format!("{name} ({})", pane.key()) };
+        let hover = if maximised {
+            "Back to its place (Esc)".to_owned()
+        } else {
+            format!("{name} ({})", pane.shortcut())
+        };
         if button.on_hover_text(hover).clicked() || turned {
             self.view.maximised = (!maximised).then_some(pane);
         }

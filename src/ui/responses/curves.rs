@@ -103,8 +103,8 @@ pub fn inputs(findings: &Findings, palette: &Palette) -> Option<(Vec<&'static st
     let mut symbols = Vec::new();
     let mut curves = Vec::new();
     for (i, (channel, input)) in experiment.inputs.iter().enumerate() {
-        let (symbol, name, dimension, sign) = input_words(experiment.plane, *channel);
-        let unit = sign * dimension.in_si(LengthUnit::Metre);
+        let Quantity { symbol, name, dimension, .. } = Quantity::of_input(experiment.plane, *channel);
+        let unit = shown_sign(experiment.plane, *channel) * dimension.in_si(LengthUnit::Metre);
         let mut times: Vec<f64> = (0..=experiment.grid.steps).map(|k| experiment.grid.time(k)).collect();
         for edge in input.edges().filter(|&edge| edge > 0.0 && edge < end) {
             // On either side of it, so that it stands upright.
@@ -122,16 +122,11 @@ pub fn inputs(findings: &Findings, palette: &Palette) -> Option<(Vec<&'static st
     shown.map(|dimension| (symbols, dimension, curves))
 }
 
-/// Symbol, name, dimension and the sign in which an input is shown: gusts as a pilot speaks of them, against z and x.
-pub const fn input_words(plane: Plane, channel: Channel) -> (&'static str, &'static str, Dimension, f64) {
+/// Sign in which an input is shown: moving air as a pilot speaks of it, against x and z.
+const fn shown_sign(plane: Plane, channel: Channel) -> f64 {
     match (plane, channel) {
-        (Plane::Longitudinal, Channel::First) => ("δ_e", "elevator", Dimension::Angle, 1.0),
-        (Plane::Longitudinal, Channel::Second) => ("δ_t", "throttle", Dimension::ShareOfWeight, 1.0),
-        (Plane::Lateral, Channel::First) => ("δ_a", "aileron", Dimension::Angle, 1.0),
-        (Plane::Lateral, Channel::Second) => ("δ_r", "rudder", Dimension::Angle, 1.0),
-        (_, Channel::AirAlong) => ("u_g", "air from ahead", Dimension::AirSpeed, -1.0),
-        (Plane::Longitudinal, Channel::AirAcross) => ("w_g", "rising air", Dimension::AirSpeed, -1.0),
-        (Plane::Lateral, Channel::AirAcross) => ("v_g", "air to the right", Dimension::AirSpeed, 1.0),
+        (_, Channel::AirAlong) | (Plane::Longitudinal, Channel::AirAcross) => -1.0,
+        _ => 1.0,
     }
 }
 

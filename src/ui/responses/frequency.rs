@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use super::curves::{input_words, units};
+use super::curves::units;
 use super::legend::{self, Entry, Mark};
 use super::time::grid;
 use super::{CacheKey, Canvas, kept, note_ui, output_ui};
@@ -12,6 +12,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::frequency_response::{FrequencyPoint, Peak};
 use crate::flight::motion::outputs::Output;
 use crate::number::significant;
+use crate::scenario::Quantity;
 use crate::ui::chart::{Curve, Pattern, Picture, PlotPoint, Scale, SmallPlot};
 use crate::ui::theme::{self, Palette};
 use crate::words;
@@ -67,14 +68,15 @@ impl FrequencyPlots {
 /// Which output.
 pub fn choosers_ui(ui: &mut Ui, plane: Plane, output: &mut Output) {
     ui.label("Gain and phase of");
-    output_ui(ui, "Output of the frequency response", plane, output);
+    output_ui(ui, "frequency", "Output of the frequency response", plane, output);
 }
 
 impl Sheet {
     fn of(canvas: Canvas<'_>, output: Output, response: &FrequencyResponse) -> Self {
         let Canvas { findings, pinned, palette, .. } = canvas;
         let scenario = findings.scenario();
-        let (input, _, dimension, _) = input_words(scenario.plane, scenario.driven_channel());
+        let Quantity { symbol: input, dimension, .. } =
+            Quantity::of_input(scenario.plane, scenario.driven_channel());
         let (quantity, unit, output_si) = units(output, scenario);
         let input_unit = dimension.symbol(LengthUnit::Metre);
         let shown =

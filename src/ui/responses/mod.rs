@@ -188,10 +188,10 @@ fn note_ui(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).bad));
 }
 
-/// A chooser of one output.
-fn output_ui(ui: &mut Ui, name: &str, plane: Plane, output: &mut Output) {
+/// A chooser of one output, by its id and its name.
+fn output_ui(ui: &mut Ui, id: &str, name: &str, plane: Plane, output: &mut Output) {
     let now = Quantity::of(*output);
-    let chooser = egui::ComboBox::from_id_salt(name).width(56.0).selected_text(word(now));
+    let chooser = egui::ComboBox::from_id_salt(("output", id)).width(56.0).selected_text(word(now));
     let chooser = chooser.show_ui(ui, |ui| {
         for &other in Output::of(plane) {
             let quantity = Quantity::of(other);

@@ -58,14 +58,14 @@ impl PhasePlots {
 
 /// Which pairs.
 pub fn choosers_ui(ui: &mut Ui, plane: Plane, pairs: &mut [(Output, Output); 2]) {
-    let names = [
-        ("Left portrait, upward", "Left portrait, across"),
-        ("Right portrait, upward", "Right portrait, across"),
+    let choosers = [
+        [("left-upward", "Left portrait, upward"), ("left-across", "Left portrait, across")],
+        [("right-upward", "Right portrait, upward"), ("right-across", "Right portrait, across")],
     ];
-    for ((over, of), (upward, across)) in pairs.iter_mut().zip(names) {
-        output_ui(ui, upward, plane, of);
+    for ((over, of), [upward, across]) in pairs.iter_mut().zip(choosers) {
+        output_ui(ui, upward.0, upward.1, plane, of);
         ui.label("against");
-        output_ui(ui, across, plane, over);
+        output_ui(ui, across.0, across.1, plane, over);
         ui.add_space(12.0);
     }
 }
