@@ -77,14 +77,11 @@ fn crate_of(symbol: &str) -> String {
     let path = format!("{:#}", demangle(symbol));
     // The code that drops a value belongs to the value's type.
     let path = path.strip_prefix("core::ptr::drop_in_place").unwrap_or(&path);
+    // `<&mut [T] as egui::Widget>::ui` belongs to egui: the first name that begins a path.
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
-    // `<&mut [T] as Trait>::method` begins at T.
-    let words = path.split(|c| !is_part(c)).filter(|word| !word.is_empty());
-    let first = words.clone().find(|word| !["mut", "const", "dyn", "impl"].contains(word));
-    match first {
-        Some(name) if path.contains(&format!("{name}::")) => name.to_owned(),
-        _ => NAMELESS.to_owned(),
-    }
+    let starts = path.match_indices("::").map(|(end, _)| &path[..end]);
+    let mut names = starts.map(|start| &start[start.trim_end_matches(is_part).len()..]);
+    names.find(|name| !name.is_empty()).unwrap_or(NAMELESS).to_owned()
 }
 
 #[cfg(test)]
@@ -105,6 +102,7 @@ mod tests {
             ),
             ("_ZN4core3ptr38drop_in_place$LT$glow..web..Shader$GT$17h0123456789abcdefE", "glow"),
             ("_ZN4core3fmt5write17h0123456789abcdefE", "core"),
+            ("_ZN42_$LT$$RF$T$u20$as$u20$core..fmt..Debug$GT$3fmt17h0123456789abcdefE", "core"),
             ("memcpy", NAMELESS),
         ] {
             assert_eq!(crate_of(symbol), name, "{symbol}");
