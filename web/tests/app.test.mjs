@@ -94,7 +94,7 @@ test("a slider dragged by mouse moves poles and response, and a double click res
   for (let i = 1; i <= 10; i += 1) await page.mouse.move(x + width / 6 + i * (width / 40), y);
   await page.mouse.up();
   const after = await until(state, (now) => now.analysis.longitudinal.static_stability === "unstable", "statically unstable");
-  assert.ok(after.analysis.longitudinal.modes.some((mode) => mode.name === "Divergence" && mode.time_to_double > 0));
+  assert.ok(after.analysis.longitudinal.modes.some((mode) => /divergence$/.test(mode.name) && mode.time_to_double > 0));
   await page.mouse.dblclick(x, y);
   await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "the reference again");
 });
