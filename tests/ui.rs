@@ -476,7 +476,7 @@ fn shape_levels_and_approximations_of_every_mode_are_shown_on_request() {
         ("Level of the phugoid", "Level 1: ζ is 0.0801, Level 1 asks at least 0.0400"),
         (
             "Approximations of the short period",
-            "one degree of freedom (pitch): ωₙ 2.64 rad/s, exact 3.61, −27\u{a0}%; ζ 0.566, exact 0.696, −19\u{a0}%",
+            "one degree of freedom (pitch): ωₙ 2.97 rad/s, exact 3.61, −18\u{a0}%; ζ 0.503, exact 0.696, −28\u{a0}%",
         ),
     ] {
         assert_eq!(harness.query_all_by_label_contains(seen).count(), 0, "{seen}");
