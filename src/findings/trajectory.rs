@@ -5,7 +5,7 @@ use nalgebra::{Vector2, Vector4};
 
 use super::Findings;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::states::{Lateral, Longitudinal};
+use crate::flight::aircraft::states::{AILERON, Lateral, Longitudinal};
 use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::{Motion, STANDARD_GRAVITY};
 use crate::flight::motion::flight_path::FlightPath;
@@ -219,7 +219,7 @@ impl Trajectory<'_> {
             Plane::Lateral => {
                 // Bare matrices may count δa either way, which is told by what it does: L_δa > 0 rolls to the right.
                 let counted_left = matches!(self.scenario.edited.study, Study::Matrices(_))
-                    && self.motion.model.b[(Lateral::P.index(), 0)] < 0.0;
+                    && self.motion.model.b[(Lateral::P.index(), AILERON)] < 0.0;
                 let sense = if counted_left { -1.0 } else { 1.0 };
                 [0.0, sense * of(Channel::First), of(Channel::Second)]
             }

@@ -6,6 +6,7 @@ use super::aircraft::axes::StabilityAxes;
 use super::aircraft::edits::{Edited, Offsets};
 use super::aircraft::plane::{ByPlane, Plane, PlaneModel};
 use super::aircraft::states::Longitudinal::{Theta, U};
+use super::aircraft::states::entry;
 use super::aircraft::study::{Derived, Models, Study, StudyError};
 use super::modes::approximations::{Approximation, DownwashLag, approximations};
 use super::modes::eigen::EigenError;
@@ -216,9 +217,6 @@ fn margins(edited: &Edited) -> Option<Margins> {
 fn gravity_check(model: &PlaneModel) -> Option<GravityCheck> {
     // The u row of A carries −g cos θ₀ in the θ column.
     let u0 = model.trim.u0();
-    let check = GravityCheck {
-        rate: -model.a[(U.index(), Theta.index())] / u0,
-        expected_rate: STANDARD_GRAVITY / u0,
-    };
+    let check = GravityCheck { rate: -entry(&model.a, U, Theta) / u0, expected_rate: STANDARD_GRAVITY / u0 };
     check.rate.is_finite().then_some(check)
 }

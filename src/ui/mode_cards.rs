@@ -10,6 +10,7 @@ use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use crate::content::LengthUnit;
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::states::Lateral;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::mode::Mode;
@@ -395,7 +396,7 @@ fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
     let mut words = Vec::new();
     let shares = mode.participation;
     // Neighbours differ, and what a mode is known by is dark: of the phugoid's near halves always the same.
-    let yaws = plane == Plane::Lateral && shares[0] + shares[2] > 0.5;
+    let yaws = plane == Plane::Lateral && mode.share(Lateral::V) + mode.share(Lateral::R) > 0.5;
     let symbols = match plane {
         Plane::Longitudinal => ["u", "α", "q", "θ"],
         Plane::Lateral => ["β", "p", "r", "φ"],

@@ -59,21 +59,9 @@ impl ReferenceSlider<'_> {
         self.range.end() - self.range.start()
     }
 
-    /// A step of 1, 2 or 5 × 10ᵏ, so that steps end on numbers a person can read.
+    /// A round step, so that steps end on numbers a person can read.
     fn step(&self) -> f64 {
-        let raw = self.span() / FINE_STEPS;
-        let decade = 10_f64.powf(raw.log10().floor());
-        let digit = raw / decade;
-        decade
-            * if digit < 1.5 {
-                1.0
-            } else if digit < 3.5 {
-                2.0
-            } else if digit < 7.5 {
-                5.0
-            } else {
-                10.0
-            }
+        nice_step(self.span() / FINE_STEPS)
     }
 
     fn rail(rect: Rect) -> (f32, f32) {

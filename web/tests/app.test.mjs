@@ -37,7 +37,7 @@ test("the page opens on the Navion with both modes named and at home", async (t)
   assert.equal(now.aircraft, "navion");
   // Teper, NASA CR-96008, from coefficients of two or three digits.
   const [shortPeriod, phugoid] = now.analysis.longitudinal.modes;
-  assert.deepEqual([shortPeriod.name, phugoid.name], ["Short period", "Phugoid"]);
+  assert.deepEqual([shortPeriod.key, phugoid.key], ["short-period", "phugoid"]);
   for (const [value, published] of [
     [shortPeriod.natural_frequency, 3.6083],
     [shortPeriod.damping_ratio, 0.6957],
@@ -192,13 +192,13 @@ test("lateral motion: Dutch roll, roll subsidence and spiral, as published", asy
   await ready();
   await page.getByRole("button", { name: "Lateral–directional" }).dispatchEvent("click");
   const now = await until(state, (now) => now.plane === "lateral", "lateral on screen");
-  const modes = Object.fromEntries(now.analysis.lateral.modes.map((mode) => [mode.name, mode]));
+  const modes = Object.fromEntries(now.analysis.lateral.modes.map((mode) => [mode.key, mode]));
   // Teper, NASA CR-96008, from coefficients of two or three digits.
   for (const [value, published] of [
-    [modes["Dutch roll"].natural_frequency, 2.385],
-    [modes["Dutch roll"].damping_ratio, 0.204],
-    [modes["Roll subsidence"].re, -8.435],
-    [modes["Spiral"].re, -0.00876],
+    [modes["dutch-roll"].natural_frequency, 2.385],
+    [modes["dutch-roll"].damping_ratio, 0.204],
+    [modes["roll-subsidence"].re, -8.435],
+    [modes.spiral.re, -0.00876],
   ]) {
     assert.ok(Math.abs(value / published - 1) < 1e-2, `${value} is not ${published}`);
   }

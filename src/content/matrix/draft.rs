@@ -7,6 +7,7 @@ use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
 use crate::content::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
 use crate::content::units::UnitSystem;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
+use crate::flight::aircraft::states::{Lateral, entry};
 use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::number::significant;
@@ -333,7 +334,8 @@ const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 /// The v row of A says g cos θ₀ φ and −U₀ r, whatever the aircraft: a sentence for each that this file says otherwise.
 fn lateral_doubts(model: &PlaneModel) -> Vec<String> {
     let trim = &model.trim;
-    let [turn, weight] = [-model.a[(0, 2)], model.a[(0, 3)]];
+    let [turn, weight] =
+        [-entry(&model.a, Lateral::V, Lateral::R), entry(&model.a, Lateral::V, Lateral::Phi)];
     let (speed, fall) = (trim.u0(), trim.gravity * trim.theta0().cos());
     let [of_turn, of_weight] = [turn / speed, weight / fall];
     let is_plausible = |share: f64| PLAUSIBLE.contains(&share);

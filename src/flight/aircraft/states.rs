@@ -1,4 +1,29 @@
-//! The states of both planes of motion, named.
+//! The states and inputs of both planes of motion, named.
+
+use nalgebra::Matrix4;
+
+/// A state of one plane.
+pub trait State: Copy {
+    /// Row or column of this state in A, B and x.
+    fn index(self) -> usize;
+}
+
+impl State for Longitudinal {
+    fn index(self) -> usize {
+        Self::index(self)
+    }
+}
+
+impl State for Lateral {
+    fn index(self) -> usize {
+        Self::index(self)
+    }
+}
+
+/// Entry of A: what a unit of the state of `column` adds to the rate of the state of `row`.
+pub fn entry<T: Copy, S: State>(a: &Matrix4<T>, row: S, column: S) -> T {
+    a[(row.index(), column.index())]
+}
 
 /// The states of longitudinal motion, in the order of the state vector x = \[u, w, q, θ\].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,3 +70,15 @@ impl Lateral {
         self as usize
     }
 }
+
+/// Column of the elevator δe in the longitudinal B.
+pub const ELEVATOR: usize = 0;
+
+/// Column of the throttle δt in the longitudinal B.
+pub const THROTTLE: usize = 1;
+
+/// Column of the aileron δa in the lateral B.
+pub const AILERON: usize = 0;
+
+/// Column of the rudder δr in the lateral B.
+pub const RUDDER: usize = 1;

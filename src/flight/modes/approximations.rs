@@ -13,6 +13,9 @@ use super::quartic::polynomial;
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::states::Lateral::{P, Phi, R, V};
+use crate::flight::aircraft::states::Longitudinal::{self, Q, Theta, U, W};
+use crate::flight::aircraft::states::entry;
 use crate::flight::aircraft::study::DerivativeStudy;
 use crate::key::keys;
 
@@ -190,7 +193,7 @@ impl DownwashLag {
     fn unfold(self, a: &Matrix4<f64>) -> Matrix4<f64> {
         // ẇ of those axes is u̇ sin α₀ + ẇ cos α₀, their z axis [sin α₀, cos α₀]
         let (sin, cos) = self.alpha0.sin_cos();
-        let rate = a.row(0) * sin + a.row(1) * cos;
+        let rate = a.row(U.index()) * sin + a.row(W.index()) * cos;
         a - Vector4::new(self.z_wdot * sin, self.z_wdot * cos, self.m_wdot, 0.0) * rate
     }
 }
@@ -207,12 +210,11 @@ pub fn approximations(model: &StabilityAxes, lag: DownwashLag, modes: &[Mode]) -
 fn longitudinal(model: &PlaneModel, lag: DownwashLag, modes: &[Mode]) -> Vec<Approximation> {
     use ApproximationName as Name;
     let a = &model.a;
-    // x = [u, w, q, θ]
     let plain = lag.unfold(a);
-    let [x_u, z_u, z_w] = [plain[(0, 0)], plain[(1, 0)], plain[(1, 1)]];
-    let [m_w, m_q, m_wdot] = [plain[(2, 1)], plain[(2, 2)], lag.m_wdot * lag.alpha0.cos()];
+    let [x_u, z_u, z_w] = [entry(&plain, U, U), entry(&plain, W, U), entry(&plain, W, W)];
+    let [m_w, m_q, m_wdot] = [entry(&plain, Q, W), entry(&plain, Q, Q), lag.m_wdot * lag.alpha0.cos()];
     // Its entry of weight is g cos γ₀.
-    let (v, g) = (model.trim.speed, -plain[(0, 3)] / model.trim.gamma0.cos());
+    let (v, g) = (model.trim.speed, -entry(&plain, U, Theta) / model.trim.gamma0.cos());
     let short_period = second_order(modes, SHORT_PERIOD).map(full);
     let phugoid = second_order(modes, PHUGOID).map(full);
     // ωₙ² = −Zu g/V, 2ζωₙ = −Xu
@@ -242,10 +244,10 @@ fn longitudinal(model: &PlaneModel, lag: DownwashLag, modes: &[Mode]) -> Vec<App
 fn lateral(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
     use ApproximationName as Name;
     let a = &model.a;
-    // x = [v, p, r, φ]; N'β = V N'v
-    let (y_v, v, g) = (a[(0, 0)], model.trim.speed, a[(0, 3)] / model.trim.gamma0.cos());
-    let [l_beta, l_p, l_r] = [v * a[(1, 0)], a[(1, 1)], a[(1, 2)]];
-    let [n_beta, n_p, n_r] = [v * a[(2, 0)], a[(2, 1)], a[(2, 2)]];
+    let (y_v, v, g) = (entry(a, V, V), model.trim.speed, entry(a, V, Phi) / model.trim.gamma0.cos());
+    // N'β = V N'v
+    let [l_beta, l_p, l_r] = [v * entry(a, P, V), entry(a, P, P), entry(a, P, R)];
+    let [n_beta, n_p, n_r] = [v * entry(a, R, V), entry(a, R, P), entry(a, R, R)];
     let dutch_roll = second_order(modes, DUTCH_ROLL).map(full);
     let root = |name: ModeName| {
         modes.iter().find(|mode| mode.naming.name == name).map(|mode| ModeValue::Root(mode.lambda.re))
@@ -299,18 +301,19 @@ fn finite_root(root: f64) -> Option<ModeValue> {
 /// Phugoid with w and q in balance at every moment: Aᵣ = Aₛₛ − Aₛf Aff⁻¹ Afₛ.
 fn residualised(a: &Matrix4<f64>) -> Option<SecondOrder> {
     // Aff = [Zw, V; Mw, Mq]
-    let [z_w, v, m_w, m_q] = [a[(1, 1)], a[(1, 2)], a[(2, 1)], a[(2, 2)]];
+    let [z_w, v, m_w, m_q] = [entry(a, W, W), entry(a, W, Q), entry(a, Q, W), entry(a, Q, Q)];
     let det = z_w * m_q - v * m_w;
-    // w and q for a unit of the slow state in column j: −Aff⁻¹ Afₛ
-    let follow = |j: usize| {
-        let (z, m) = (a[(1, j)], a[(2, j)]);
+    // w and q for a unit of the slow state: −Aff⁻¹ Afₛ
+    let follow = |slow: Longitudinal| {
+        let (z, m) = (entry(a, W, slow), entry(a, Q, slow));
         [-(m_q * z - v * m) / det, -(z_w * m - m_w * z) / det]
     };
-    let reduced = |i: usize, j: usize| {
-        let [w, q] = follow(j);
-        a[(i, j)] + a[(i, 1)] * w + a[(i, 2)] * q
+    let reduced = |row: Longitudinal, column: Longitudinal| {
+        let [w, q] = follow(column);
+        entry(a, row, column) + entry(a, row, W) * w + entry(a, row, Q) * q
     };
-    let [uu, u_theta, theta_u, theta_theta] = [reduced(0, 0), reduced(0, 3), reduced(3, 0), reduced(3, 3)];
+    let [uu, u_theta] = [reduced(U, U), reduced(U, Theta)];
+    let [theta_u, theta_theta] = [reduced(Theta, U), reduced(Theta, Theta)];
     SecondOrder::of(-(uu + theta_theta), uu * theta_theta - u_theta * theta_u)
 }
 

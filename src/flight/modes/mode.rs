@@ -10,7 +10,7 @@ use super::mode_name::{Amplitudes, Naming, UnnamedMode};
 use super::naming::name_modes;
 use super::stability::{Stability, dynamic_stability};
 use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
-use crate::flight::aircraft::states::Longitudinal;
+use crate::flight::aircraft::states::State;
 
 /// The largest condition number told: the reciprocal of rounding, where nothing is known of the root any more.
 pub const WORST_CONDITION: f64 = 1e16;
@@ -86,9 +86,14 @@ impl Mode {
         (!self.is_oscillatory() && self.stability != Stability::Neutral).then(|| -1.0 / self.lambda.re)
     }
 
-    /// Participation of one longitudinal state, 0 to 1.
-    pub fn share(&self, state: Longitudinal) -> f64 {
+    /// Participation of one state, 0 to 1.
+    pub fn share(&self, state: impl State) -> f64 {
         self.participation[state.index()]
+    }
+
+    /// Component of one state in the eigenvector.
+    pub fn component(&self, state: impl State) -> Complex<f64> {
+        self.shape[state.index()]
     }
 }
 

@@ -9,6 +9,9 @@ use super::mil_f_8785c::{
 };
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::aircraft::states::Lateral::{Phi, V};
+use crate::flight::aircraft::states::Longitudinal::{Q, W};
+use crate::flight::aircraft::states::entry;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
@@ -107,15 +110,15 @@ pub fn handling_qualities(
 /// n/α = −V² A_ww/(g A_wq), which is −V Zw/g where Zq is zero (MIL-F-8785C 6.2.4).
 pub fn load_factor_slope(model: &StabilityAxes) -> Option<f64> {
     let PlaneModel { a, trim, .. } = model.model();
-    let slope = -trim.speed * trim.speed * a[(1, 1)] / (trim.gravity * a[(1, 2)]);
+    let slope = -trim.speed * trim.speed * entry(a, W, W) / (trim.gravity * entry(a, W, Q));
     slope.is_finite().then_some(slope)
 }
 
 /// |φ/β| of a lateral mode: bank angle about the flight path for sideslip angle, β = v/V; `None` if not finite.
 pub fn phi_to_beta(model: &PlaneModel, mode: &Mode) -> Option<f64> {
     // φ in stability axes is φ cos θ₀/cos γ₀
-    let phi = mode.shape[3].norm() * (model.trim.theta0().cos() / model.trim.gamma0.cos()).abs();
-    let ratio = phi * model.trim.speed / mode.shape[0].norm();
+    let phi = mode.component(Phi).norm() * (model.trim.theta0().cos() / model.trim.gamma0.cos()).abs();
+    let ratio = phi * model.trim.speed / mode.component(V).norm();
     ratio.is_finite().then_some(ratio)
 }
 

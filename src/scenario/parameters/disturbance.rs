@@ -1,6 +1,8 @@
 //! The sizes of a disturbance.
 
 use super::{Extent, Group, Parameter, Place};
+use crate::flight::aircraft::states::Lateral::{P, Phi, R, V};
+use crate::flight::aircraft::states::Longitudinal::{Q, Theta, U, W};
 use crate::scenario::{Dimension, Sizes};
 
 const fn row(
@@ -172,7 +174,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "speed at release",
         (Dimension::Speed, -20.0, 20.0),
         ("Forward speed beyond the steady one when the aircraft is let go.", "Positive is faster."),
-        |s| &mut s.released.longitudinal[0],
+        |s| &mut s.released.longitudinal[U.index()],
     ),
     row(
         "from_alpha",
@@ -183,7 +185,7 @@ pub(super) const ROWS: [Parameter; 26] = [
             "Angle of attack beyond the steady one when the aircraft is let go.",
             "Positive is nose-up to the air.",
         ),
-        |s| &mut s.released.longitudinal[1],
+        |s| &mut s.released.longitudinal[W.index()],
     ),
     row(
         "from_q",
@@ -191,7 +193,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "pitch rate at release",
         (Dimension::AngularRate, -1.0, 1.0),
         ("Pitch rate when the aircraft is let go.", "Positive is nose-up."),
-        |s| &mut s.released.longitudinal[2],
+        |s| &mut s.released.longitudinal[Q.index()],
     ),
     row(
         "from_theta",
@@ -199,7 +201,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "pitch angle at release",
         (Dimension::Angle, -0.35, 0.35),
         ("Pitch angle beyond the steady one when the aircraft is let go.", "Positive is nose-up."),
-        |s| &mut s.released.longitudinal[3],
+        |s| &mut s.released.longitudinal[Theta.index()],
     ),
     row(
         "from_beta",
@@ -207,7 +209,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "sideslip at release",
         (Dimension::Angle, -0.2, 0.2),
         ("Sideslip when the aircraft is let go.", "Positive: wind from the right."),
-        |s| &mut s.released.lateral[0],
+        |s| &mut s.released.lateral[V.index()],
     ),
     row(
         "from_p",
@@ -215,7 +217,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "roll rate at release",
         (Dimension::AngularRate, -1.0, 1.0),
         ("Roll rate when the aircraft is let go.", "Positive is right wing down."),
-        |s| &mut s.released.lateral[1],
+        |s| &mut s.released.lateral[P.index()],
     ),
     row(
         "from_r",
@@ -223,7 +225,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "yaw rate at release",
         (Dimension::AngularRate, -1.0, 1.0),
         ("Yaw rate when the aircraft is let go.", "Positive is nose right."),
-        |s| &mut s.released.lateral[2],
+        |s| &mut s.released.lateral[R.index()],
     ),
     row(
         "from_phi",
@@ -231,7 +233,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "bank angle at release",
         (Dimension::Angle, -0.8, 0.8),
         ("Bank angle when the aircraft is let go.", "Positive is right wing down."),
-        |s| &mut s.released.lateral[3],
+        |s| &mut s.released.lateral[Phi.index()],
     ),
     row(
         "mode_size",

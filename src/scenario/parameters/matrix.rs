@@ -2,7 +2,20 @@
 
 use super::{Extent, Group, Page, Parameter, Place};
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::states::Lateral::{self, P, Phi, R, V};
+use crate::flight::aircraft::states::Longitudinal::{self, Q, Theta, U, W};
+use crate::flight::aircraft::states::{AILERON, ELEVATOR, RUDDER, THROTTLE};
 use crate::scenario::Dimension;
+
+/// Entry of the longitudinal A, and −1 where the book writes it with a minus sign.
+const fn longitudinal(row: Longitudinal, column: Longitudinal, sign: f64) -> Place {
+    Place::A(Plane::Longitudinal, row.index(), column.index(), sign)
+}
+
+/// Entry of the lateral A, likewise.
+const fn lateral(row: Lateral, column: Lateral, sign: f64) -> Place {
+    Place::A(Plane::Lateral, row.index(), column.index(), sign)
+}
 
 pub(super) const ROWS: [Parameter; 33] = [
     Parameter {
@@ -17,7 +30,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             down.",
         sign: "Negative damps the phugoid.",
         origin: "Drag and thrust.",
-        place: Place::A(Plane::Longitudinal, 0, 0, 1.0),
+        place: longitudinal(U, U, 1.0),
         extent: Extent::Relative { low: -6.0, high: 3.0, floor: 0.01 },
     },
     Parameter {
@@ -31,7 +44,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Downward force for a unit of extra speed: more speed, more lift. The prime: the ẇ terms are folded in.",
         sign: "Negative gives the phugoid its stiffness.",
         origin: "Wing lift.",
-        place: Place::A(Plane::Longitudinal, 1, 0, 1.0),
+        place: longitudinal(W, U, 1.0),
         extent: Extent::Relative { low: -3.0, high: 1.0, floor: 0.05 },
     },
     Parameter {
@@ -45,7 +58,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Nose-up moment for a unit of extra speed.",
         sign: "Negative lets the nose drop as speed grows: tuck.",
         origin: "Compressibility, thrust line, and the Mẇ term where the source has one.",
-        place: Place::A(Plane::Longitudinal, 2, 0, 1.0),
+        place: longitudinal(Q, U, 1.0),
         extent: Extent::Relative { low: -4.0, high: 6.0, floor: 0.1 },
     },
     Parameter {
@@ -59,7 +72,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Forward force for a unit of downward speed: lift tilts forward, drag grows.",
         sign: "Either sign; it moves the phugoid only a little.",
         origin: "Lift less the growth of drag with angle of attack.",
-        place: Place::A(Plane::Longitudinal, 0, 1, 1.0),
+        place: longitudinal(U, W, 1.0),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.02 },
     },
     Parameter {
@@ -73,7 +86,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Downward force for a unit of downward speed: a higher angle of attack lifts. The prime: the ẇ terms are folded in.",
         sign: "Negative damps the short period; positive is a wing beyond its stall.",
         origin: "Lift slope of the wing.",
-        place: Place::A(Plane::Longitudinal, 1, 1, 1.0),
+        place: longitudinal(W, W, 1.0),
         extent: Extent::Relative { low: -3.0, high: 1.0, floor: 0.3 },
     },
     Parameter {
@@ -88,7 +101,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             attack makes a moment that lowers the nose. The prime: the ẇ terms are folded in.",
         sign: "Negative is statically stable and stiffens the short period.",
         origin: "Tail, and the centre of gravity ahead of the neutral point.",
-        place: Place::A(Plane::Longitudinal, 2, 1, 1.0),
+        place: longitudinal(Q, W, 1.0),
         extent: Extent::Relative { low: -4.0, high: 2.0, floor: 0.5 },
     },
     Parameter {
@@ -103,7 +116,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             and a little force of the tail. Other entries of A have ẇ terms folded in; this row has none.",
         sign: "Zero in stability axes but for X_q; negative where the body axes are tilted nose-up.",
         origin: "Angle of attack of the body axes.",
-        place: Place::A(Plane::Longitudinal, 0, 2, 1.0),
+        place: longitudinal(U, Q, 1.0),
         extent: Extent::Relative { low: -3.0, high: 3.0, floor: 0.1 },
     },
     Parameter {
@@ -118,7 +131,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             of the tail.",
         sign: "Positive: the speed itself.",
         origin: "Flight speed; the tail adds Zq.",
-        place: Place::A(Plane::Longitudinal, 1, 2, 1.0),
+        place: longitudinal(W, Q, 1.0),
         extent: Extent::Relative { low: 0.0, high: 2.0, floor: 1.0 },
     },
     Parameter {
@@ -132,7 +145,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Nose-up moment for a unit of pitch rate: a turning tail meets its own wind.",
         sign: "Negative damps the short period.",
         origin: "Tail, by its distance squared; the Mẇ term where the source has one.",
-        place: Place::A(Plane::Longitudinal, 2, 2, 1.0),
+        place: longitudinal(Q, Q, 1.0),
         extent: Extent::Relative { low: -4.0, high: 1.5, floor: 0.3 },
     },
     Parameter {
@@ -147,7 +160,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             makes a phugoid.",
         sign: "Positive. It must be in the unit of the speeds.",
         origin: "Weight and the angle of the flight path.",
-        place: Place::A(Plane::Longitudinal, 0, 3, -1.0),
+        place: longitudinal(U, Theta, -1.0),
         extent: Extent::Gravity,
     },
     Parameter {
@@ -162,7 +175,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             ẇ terms are folded in, as in every entry of this row of A.",
         sign: "Zero in level flight, negative with the nose above the horizon, positive below it.",
         origin: "Weight and the angle of the x axis above the horizon.",
-        place: Place::A(Plane::Longitudinal, 1, 3, 1.0),
+        place: longitudinal(W, Theta, 1.0),
         extent: Extent::Relative { low: -2.0, high: 2.0, floor: 0.02 },
     },
     Parameter {
@@ -177,7 +190,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             fold in.",
         sign: "Negative where the elevator adds drag. It moves no pole.",
         origin: "Elevator area and its load.",
-        place: Place::B(Plane::Longitudinal, 0, 0),
+        place: Place::B(Plane::Longitudinal, U.index(), ELEVATOR),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.005 },
     },
     Parameter {
@@ -191,7 +204,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Downward force for a radian of elevator, trailing edge down. The prime: the ẇ terms are folded in.",
         sign: "Negative: trailing edge down lifts the tail. It moves no pole.",
         origin: "Elevator area.",
-        place: Place::B(Plane::Longitudinal, 1, 0),
+        place: Place::B(Plane::Longitudinal, W.index(), ELEVATOR),
         extent: Extent::Relative { low: -4.0, high: 2.0, floor: 0.02 },
     },
     Parameter {
@@ -205,7 +218,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Nose-up moment for a radian of elevator, trailing edge down. The prime: the ẇ terms are folded in.",
         sign: "Negative: trailing edge down lowers the nose. It moves no pole.",
         origin: "Elevator area times its distance.",
-        place: Place::B(Plane::Longitudinal, 2, 0),
+        place: Place::B(Plane::Longitudinal, Q.index(), ELEVATOR),
         extent: Extent::Relative { low: -3.0, high: 1.0, floor: 1.0 },
     },
     Parameter {
@@ -219,7 +232,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Forward force for a unit of throttle. This row has no ẇ terms to fold in.",
         sign: "Positive: throttle pushes forward. It moves no pole.",
         origin: "Engines.",
-        place: Place::B(Plane::Longitudinal, 0, 1),
+        place: Place::B(Plane::Longitudinal, U.index(), THROTTLE),
         extent: Extent::Relative { low: -1.0, high: 3.0, floor: 0.02 },
     },
     Parameter {
@@ -233,7 +246,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Downward force for a unit of throttle. The prime: the ẇ terms are folded in.",
         sign: "Negative where the thrust points a little upward; often zero. It moves no pole.",
         origin: "Tilt of the thrust line.",
-        place: Place::B(Plane::Longitudinal, 1, 1),
+        place: Place::B(Plane::Longitudinal, W.index(), THROTTLE),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.005 },
     },
     Parameter {
@@ -249,7 +262,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             It moves no pole.",
         origin: "Distance of the thrust line from the centre of gravity; the Mẇ term where the source has \
             one.",
-        place: Place::B(Plane::Longitudinal, 2, 1),
+        place: Place::B(Plane::Longitudinal, Q.index(), THROTTLE),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.1 },
     },
     Parameter {
@@ -263,7 +276,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Force to the right for a unit of speed to the right: the wind comes from the right.",
         sign: "Negative pushes back and damps the Dutch roll a little.",
         origin: "Fuselage and fin.",
-        place: Place::A(Plane::Lateral, 0, 0, 1.0),
+        place: lateral(V, V, 1.0),
         extent: Extent::Relative { low: -4.0, high: 1.5, floor: 0.05 },
     },
     Parameter {
@@ -280,7 +293,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             the Dutch roll.",
         origin: "Dihedral and sweep of the wing, its height on the fuselage, and a fin above the axis; N_v \
             by the product of inertia.",
-        place: Place::A(Plane::Lateral, 1, 0, 1.0),
+        place: lateral(P, V, 1.0),
         extent: Extent::Relative { low: -4.0, high: 2.0, floor: 1.0 },
     },
     Parameter {
@@ -296,7 +309,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         sign: "Positive turns the nose into the wind and stiffens the Dutch roll; too much of it lets the \
             spiral diverge.",
         origin: "Fin, against the fuselage, which has the opposite sign; L_v by the product of inertia.",
-        place: Place::A(Plane::Lateral, 2, 0, 1.0),
+        place: lateral(R, V, 1.0),
         extent: Extent::Relative { low: -2.0, high: 4.0, floor: 0.3 },
     },
     Parameter {
@@ -312,7 +325,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         sign: "Zero in stability axes but for Y_p; positive where the body axes are tilted nose-up, so that \
             rolling turns angle of attack into sideslip.",
         origin: "Angle of attack of the body axes; the fin adds Y_p.",
-        place: Place::A(Plane::Lateral, 0, 1, 1.0),
+        place: lateral(V, P, 1.0),
         extent: Extent::Relative { low: -3.0, high: 3.0, floor: 0.05 },
     },
     Parameter {
@@ -327,7 +340,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             The prime: the product of inertia is folded in.",
         sign: "Negative damps the roll mode; positive is a wing beyond its stall.",
         origin: "Wing, most of all its tips; N_p by the product of inertia.",
-        place: Place::A(Plane::Lateral, 1, 1, 1.0),
+        place: lateral(P, P, 1.0),
         extent: Extent::Relative { low: -3.0, high: 1.0, floor: 0.3 },
     },
     Parameter {
@@ -343,7 +356,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         sign: "Negative is adverse, the nose swings away from the roll, and takes damping from the Dutch \
             roll.",
         origin: "Wing, the more so the slower the flight; L_p by the product of inertia.",
-        place: Place::A(Plane::Lateral, 2, 1, 1.0),
+        place: lateral(R, P, 1.0),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.1 },
     },
     Parameter {
@@ -358,7 +371,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             little force of the fin.",
         sign: "Negative, the speed itself: a nose that turns right leaves the wind on its left.",
         origin: "Flight speed; the fin adds Y_r.",
-        place: Place::A(Plane::Lateral, 0, 2, 1.0),
+        place: lateral(V, R, 1.0),
         extent: Extent::Relative { low: -2.0, high: 0.0, floor: 1.0 },
     },
     Parameter {
@@ -374,7 +387,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         sign: "Positive, and it works against the stability of the spiral: a turn banks the aircraft \
             further.",
         origin: "Wing, in proportion to its lift; a fin above the axis; N_r by the product of inertia.",
-        place: Place::A(Plane::Lateral, 1, 2, 1.0),
+        place: lateral(P, R, 1.0),
         extent: Extent::Relative { low: -3.0, high: 4.0, floor: 0.2 },
     },
     Parameter {
@@ -389,7 +402,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             own wind. The prime: the product of inertia is folded in.",
         sign: "Negative damps the Dutch roll and steadies the spiral.",
         origin: "Fin, by its distance squared; L_r by the product of inertia.",
-        place: Place::A(Plane::Lateral, 2, 2, 1.0),
+        place: lateral(R, R, 1.0),
         extent: Extent::Relative { low: -4.0, high: 2.0, floor: 0.1 },
     },
     Parameter {
@@ -403,7 +416,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Weight pulls to the right when the right wing is down: a bank turns into sideslip.",
         sign: "Positive. It must be in the unit of the speeds.",
         origin: "Weight and the angle of the flight path.",
-        place: Place::A(Plane::Lateral, 0, 3, 1.0),
+        place: lateral(V, Phi, 1.0),
         extent: Extent::Gravity,
     },
     Parameter {
@@ -417,7 +430,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Force to the right for a radian of aileron.",
         sign: "Either sign, and often zero. It moves no pole.",
         origin: "Ailerons, by the air they turn onto the fin.",
-        place: Place::B(Plane::Lateral, 0, 0),
+        place: Place::B(Plane::Lateral, V.index(), AILERON),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.005 },
     },
     Parameter {
@@ -432,7 +445,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             is folded in.",
         sign: "Positive: the aileron is counted so that the right one up rolls right wing down. It moves no pole.",
         origin: "Aileron area times its distance from the axis.",
-        place: Place::B(Plane::Lateral, 1, 0),
+        place: Place::B(Plane::Lateral, P.index(), AILERON),
         extent: Extent::Relative { low: -3.0, high: 3.0, floor: 0.5 },
     },
     Parameter {
@@ -448,7 +461,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         sign: "Opposite to the aileron power is adverse yaw, the nose swings away from the roll; the same \
             sign is proverse. It moves no pole.",
         origin: "Drag of the aileron that goes down; L_δa by the product of inertia.",
-        place: Place::B(Plane::Lateral, 2, 0),
+        place: Place::B(Plane::Lateral, R.index(), AILERON),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.05 },
     },
     Parameter {
@@ -462,7 +475,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         meaning: "Force to the right for a radian of rudder, trailing edge left.",
         sign: "Positive: trailing edge left pushes the tail to the right. It moves no pole.",
         origin: "Rudder area.",
-        place: Place::B(Plane::Lateral, 0, 1),
+        place: Place::B(Plane::Lateral, V.index(), RUDDER),
         extent: Extent::Relative { low: -2.0, high: 4.0, floor: 0.01 },
     },
     Parameter {
@@ -478,7 +491,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         sign: "Positive where the rudder stands above the axis; the product of inertia can turn it. It moves \
             no pole.",
         origin: "Rudder area times its height; N_δr by the product of inertia.",
-        place: Place::B(Plane::Lateral, 1, 1),
+        place: Place::B(Plane::Lateral, P.index(), RUDDER),
         extent: Extent::Relative { low: -4.0, high: 4.0, floor: 0.1 },
     },
     Parameter {
@@ -493,7 +506,7 @@ pub(super) const ROWS: [Parameter; 33] = [
             prime: the product of inertia is folded in.",
         sign: "Negative: trailing edge left turns the nose left. It moves no pole.",
         origin: "Rudder area times its distance.",
-        place: Place::B(Plane::Lateral, 2, 1),
+        place: Place::B(Plane::Lateral, R.index(), RUDDER),
         extent: Extent::Relative { low: -3.0, high: 1.0, floor: 0.5 },
     },
 ];
