@@ -7,9 +7,10 @@ use egui::{Key, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, emat
 
 use super::theme::Palette;
 use super::{arrow_keys, finger};
+use crate::number::nice_step;
 
-/// Fine steps from one end to the other.
-const FINE_STEPS: f64 = 200.0;
+/// Most fine steps from one end to the other; the next round step makes it fewer.
+const FINE_STEPS: f64 = 300.0;
 /// Coarse steps, with Shift or the page keys.
 const COARSE: f64 = 10.0;
 const HANDLE_RADIUS: f32 = 6.0;
