@@ -85,7 +85,8 @@ impl Room<'_> {
 fn multiples(range: &RangeInclusive<f64>, step: f64) -> Vec<Tick> {
     let (first, last) = ((range.start() / step).ceil(), (range.end() / step).floor());
     let count = (last - first + 1.0).clamp(0.0, MOST) as usize;
-    let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
+    // Twelve tell the ticks of any plot apart: the smallest ranges shown are of some 1e-8.
+    let decimals = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
     let label = |value: f64| {
         if value.abs() >= 1e5 {
             // As many digits as tell it from the next.
