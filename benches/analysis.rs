@@ -6,10 +6,10 @@ use std::sync::Arc;
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use eigenwing::content::embedded_aircraft;
 use eigenwing::findings::Findings;
+use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, MatrixModel};
 use eigenwing::flight::aircraft::axes::StabilityAxes;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
-use eigenwing::flight::aircraft::study::{MatrixStudy, Study};
 use eigenwing::flight::modes::approximations::{DownwashLag, approximations};
 use eigenwing::flight::modes::eigen::eigen;
 use eigenwing::flight::modes::inverse::{Adjustable, Linearised, place_pole};
@@ -19,7 +19,7 @@ use eigenwing::flight::modes::sensitivity::{entry_rate, sensitivity};
 use eigenwing::flight::motion::aerodynamics::Controls;
 use eigenwing::flight::motion::flight_path::Excitation;
 use eigenwing::flight::motion::inputs::Input;
-use eigenwing::flight::motion::response::{Forced, TimeGrid, respond};
+use eigenwing::flight::motion::response::{DrivenSystem, TimeGrid, respond};
 use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 use eigenwing::flight::verdicts::handling_qualities::handling_qualities;
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class};
@@ -49,14 +49,15 @@ fn navion() -> Option<Scenario> {
 fn whole(criterion: &mut Criterion) {
     let model = lesson();
     let (a, b) = (model.a, model.b.column(0).into_owned());
-    let edited = Edited::new(Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }));
+    let edited =
+        EditedModel::new(AircraftModel::Matrices(MatrixModel { longitudinal: Some(model), lateral: None }));
     let experiment = Experiment {
         plane: Plane::Longitudinal,
         inputs: vec![(Channel::First, STEP)],
         start: Start::Rest,
         grid: GRID,
     };
-    let forced = Forced::from_rest(a, b, STEP);
+    let forced = DrivenSystem::from_rest(a, b, STEP);
     criterion.bench_function("eigen", |bench| bench.iter(|| eigen(black_box(&a))));
     criterion.bench_function("respond_1201", |bench| bench.iter(|| respond(black_box(&forced), GRID)));
     // All that follows from a new matrix: named modes, verdicts, approximations, and a response of 1,201 points.

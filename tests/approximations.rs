@@ -3,10 +3,10 @@
 mod reference;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::aircraft_model::DerivativeModel;
 use eigenwing::flight::aircraft::axes::StabilityAxes;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
-use eigenwing::flight::aircraft::study::DerivativeStudy;
 use eigenwing::flight::modes::approximations::{
     Approximation, ApproximationName as Name, DownwashLag, ModeValue, approximations,
 };
@@ -68,9 +68,9 @@ struct InStabilityAxes {
 }
 
 impl InStabilityAxes {
-    fn of(study: &DerivativeStudy) -> Self {
-        let d = study.longitudinal.as_ref().expect("data");
-        let Trim { speed: v, alpha0, gravity: g, .. } = study.trim;
+    fn of(aircraft_model: &DerivativeModel) -> Self {
+        let d = aircraft_model.longitudinal.as_ref().expect("data");
+        let Trim { speed: v, alpha0, gravity: g, .. } = aircraft_model.trim;
         let (s, c) = alpha0.sin_cos();
         Self {
             v,
@@ -106,13 +106,13 @@ impl InStabilityAxes {
 fn every_longitudinal_number_is_that_of_the_formula_beside_it() {
     let mut compared = 0;
     for one in embedded_aircraft().0 {
-        let edited = Edited::new(one.study);
-        let Some(study) = edited.derivatives().expect("a trim") else { continue };
+        let edited = EditedModel::new(one.aircraft_model);
+        let Some(aircraft_model) = edited.derivatives().expect("a trim") else { continue };
         let model = edited.models().expect("a trim").planes.longitudinal.expect("data");
-        let by_hand = InStabilityAxes::of(&study);
+        let by_hand = InStabilityAxes::of(&aircraft_model);
         let found = approximations(
             &StabilityAxes::of(&model),
-            DownwashLag::of(Some(&study)),
+            DownwashLag::of(Some(&aircraft_model)),
             &modes(&model).expect("modes"),
         );
         for found in found {
@@ -152,11 +152,11 @@ fn every_longitudinal_number_is_that_of_the_formula_beside_it() {
 fn every_lateral_number_is_that_of_the_formula_beside_it() {
     let mut compared = 0;
     for one in embedded_aircraft().0 {
-        let edited = Edited::new(one.study);
-        let Some(study) = edited.derivatives().expect("a trim") else { continue };
-        let Some(d) = study.lateral else { continue };
+        let edited = EditedModel::new(one.aircraft_model);
+        let Some(aircraft_model) = edited.derivatives().expect("a trim") else { continue };
+        let Some(d) = aircraft_model.lateral else { continue };
         let model = edited.models().expect("a trim").planes.lateral.expect("data");
-        let Trim { speed: v, alpha0, gravity: g, .. } = study.trim;
+        let Trim { speed: v, alpha0, gravity: g, .. } = aircraft_model.trim;
         // Primed: both moments turn both rates by the product of inertia.
         let share = 1.0 - d.ixz_over_ix * d.ixz_over_iz;
         let primed = |l: f64, n: f64| [(l + d.ixz_over_ix * n) / share, (n + d.ixz_over_iz * l) / share];

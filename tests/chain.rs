@@ -2,6 +2,7 @@
 //! independently with NumPy from the same data (`data/reference_models.json`).
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, CoefficientModel, Models, TrimmedModel};
 use eigenwing::flight::aircraft::axes::{StabilityAxes, in_axes_at};
 use eigenwing::flight::aircraft::coefficients::{
     Airframe, Coefficients, InertiaAxes, LateralCoefficients, LongitudinalCoefficients, PlanarInertia,
@@ -9,7 +10,6 @@ use eigenwing::flight::aircraft::coefficients::{
 use eigenwing::flight::aircraft::condition::{FlightCondition, Reference, Validity};
 use eigenwing::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
-use eigenwing::flight::aircraft::study::{CoefficientStudy, Derived, Models, Study};
 use eigenwing::flight::modes::eigen::eigen;
 use nalgebra::{Complex, Matrix4};
 use serde::Deserialize;
@@ -46,18 +46,20 @@ fn references() -> Vec<ReferenceModels> {
     read.expect("the data file reads").models
 }
 
-fn study(key: &str) -> Study {
+fn aircraft_model(key: &str) -> AircraftModel {
     let (aircraft, _) = embedded_aircraft();
-    aircraft.into_iter().find(|one| one.key == key).expect("the aircraft ships").study
+    aircraft.into_iter().find(|one| one.key == key).expect("the aircraft ships").aircraft_model
 }
 
 fn models(key: &str) -> Models {
-    study(key).models().expect("it has a steady flight")
+    aircraft_model(key).models().expect("it has a steady flight")
 }
 
-fn derived(key: &str) -> Derived {
-    match study(key) {
-        Study::Coefficients(study) => study.derive().expect("it has a steady flight"),
+fn derived(key: &str) -> TrimmedModel {
+    match aircraft_model(key) {
+        AircraftModel::Coefficients(aircraft_model) => {
+            aircraft_model.derive().expect("it has a steady flight")
+        }
         other => panic!("{key} starts from {other:?}"),
     }
 }
@@ -335,7 +337,7 @@ fn stability_axes_are_those_of_the_independent_transform() {
 fn axes_change_no_eigenvalue_and_there_and_back_is_the_same() {
     let (aircraft, _) = embedded_aircraft();
     for one in aircraft {
-        let models = one.study.models().expect("it has a steady flight");
+        let models = one.aircraft_model.models().expect("it has a steady flight");
         for model in models.planes.longitudinal.into_iter().chain(models.planes.lateral) {
             for alpha0 in [-0.1, 0.0, 0.2] {
                 let turned = in_axes_at(&model, alpha0);
@@ -360,15 +362,17 @@ fn axes_change_no_eigenvalue_and_there_and_back_is_the_same() {
 /// Body-axis derivatives used as if W₀ were zero: the trap that makes the 747's Dutch roll look unstable.
 #[test]
 fn leaving_w0_out_of_body_axes_turns_the_747s_dutch_roll_unstable() {
-    let Study::Derivatives(mut study) = study("b747-fc9") else { panic!("it starts from derivatives") };
+    let AircraftModel::Derivatives(mut aircraft_model) = aircraft_model("b747-fc9") else {
+        panic!("it starts from derivatives")
+    };
     let damping = |model: &PlaneModel| {
         let values = eigen(&model.a).expect("it solves").values;
         let pair = values.iter().find(|value| value.im > 0.0).expect("a Dutch roll");
         -pair.re / pair.norm()
     };
-    let right = damping(&study.models().planes.lateral.expect("lateral"));
-    study.trim = Trim { alpha0: 0.0, ..study.trim };
-    let wrong = damping(&study.models().planes.lateral.expect("lateral"));
+    let right = damping(&aircraft_model.models().planes.lateral.expect("lateral"));
+    aircraft_model.trim = Trim { alpha0: 0.0, ..aircraft_model.trim };
+    let wrong = damping(&aircraft_model.models().planes.lateral.expect("lateral"));
     assert_within(right, 0.0351, 2e-3, "ζ");
     assert_within(wrong, -0.0335, 2e-3, "ζ without W₀");
 }
@@ -387,8 +391,10 @@ fn inertia_turns_as_for_the_747() {
 
 #[test]
 fn primed_and_unprimed_are_inverse_and_the_product_of_inertia_enters_once() {
-    let Study::Derivatives(study) = study("b747-fc9") else { panic!("it starts from derivatives") };
-    let d = study.lateral.expect("lateral");
+    let AircraftModel::Derivatives(aircraft_model) = aircraft_model("b747-fc9") else {
+        panic!("it starts from derivatives")
+    };
+    let d = aircraft_model.lateral.expect("lateral");
     assert!(d.ixz_over_ix > 0.05);
     let primed = d.primed();
     // as printed in CR-2144, Table IX-8
@@ -456,8 +462,8 @@ fn the_nt33a_reaches_its_modes_from_coefficients_too() {
     };
     let validity = Validity { cl_max: 2.0, mach_min: 0.1, mach_max: 0.4 };
     let coefficients = Coefficients { longitudinal, lateral: Some(lateral) };
-    let study = CoefficientStudy::new(airframe, reference, validity, coefficients);
-    let models = Study::Coefficients(study).models().expect("it flies");
+    let aircraft_model = CoefficientModel::new(airframe, reference, validity, coefficients);
+    let models = AircraftModel::Coefficients(aircraft_model).models().expect("it flies");
     let near = |model: &PlaneModel, frequency: f64, damping: f64, tolerance: f64| {
         let values = eigen(&model.a).expect("it solves").values;
         let close = |value: &&Complex<f64>| {
@@ -481,9 +487,11 @@ fn the_nt33a_reaches_its_modes_from_coefficients_too() {
 
 #[test]
 fn thrust_enters_speed_and_pitch_as_the_books_have_it() {
-    let Study::Coefficients(jet) = study("b747-approach") else { panic!("it starts from coefficients") };
-    let of = |study: &CoefficientStudy| -> LongitudinalDerivatives {
-        study.derive().expect("it flies").derivatives.longitudinal.expect("longitudinal")
+    let AircraftModel::Coefficients(jet) = aircraft_model("b747-approach") else {
+        panic!("it starts from coefficients")
+    };
+    let of = |aircraft_model: &CoefficientModel| -> LongitudinalDerivatives {
+        aircraft_model.derive().expect("it flies").derivatives.longitudinal.expect("longitudinal")
     };
     let constant = of(&jet);
     // constant power: X_u gains −C_T q̄S/(mV) with C_T = C_D in level flight (Etkin & Reid, ch. 5)

@@ -1,9 +1,9 @@
 //! Aircraft files: all read, a bad one says where and why, and nothing that a person can paste makes a panic.
 
 use eigenwing::content::{Aircraft, FILES, embedded_aircraft};
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
 use eigenwing::flight::aircraft::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES};
 use eigenwing::flight::aircraft::plane::PlaneModel;
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::modes::eigen::eigen;
 use proptest::prelude::*;
 
@@ -12,7 +12,7 @@ fn text_of(file: &str) -> &'static str {
 }
 
 fn planes(aircraft: &Aircraft) -> Vec<PlaneModel> {
-    let models = aircraft.study.models().expect("a file that reads has a steady flight");
+    let models = aircraft.aircraft_model.models().expect("a file that reads has a steady flight");
     assert!(models.problems.is_empty());
     models.planes.longitudinal.into_iter().chain(models.planes.lateral).collect()
 }
@@ -326,17 +326,20 @@ fn rates_with_c_over_v_are_half_as_large() {
         .replace("CL_q = 5.4", "CL_q = 2.7")
         .replace("Cm_q = -20.8", "Cm_q = -10.4");
     let (a, b) = (Aircraft::from_toml("a", text), Aircraft::from_toml("b", &halved));
-    assert_eq!(a.expect("it reads").study, b.expect("it reads").study);
+    assert_eq!(a.expect("it reads").aircraft_model, b.expect("it reads").aircraft_model);
 }
 
 fn check(text: &str) {
     if let Ok(aircraft) = Aircraft::from_toml("mutated.toml", text) {
-        let models = aircraft.study.models();
+        let models = aircraft.aircraft_model.models();
         let models = models.expect("a file is only read when it has a steady flight");
         for model in models.planes.longitudinal.iter().chain(&models.planes.lateral) {
             assert!(model.a.iter().chain(&model.b).all(|x| x.is_finite()));
         }
-        assert!(matches!(aircraft.study, Study::Matrices(_)) || aircraft.particulars.speed.is_some());
+        assert!(
+            matches!(aircraft.aircraft_model, AircraftModel::Matrices(_))
+                || aircraft.particulars.speed.is_some()
+        );
     }
 }
 

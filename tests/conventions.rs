@@ -1,11 +1,11 @@
 //! One test a sign, over every aircraft that ships.
 
 use eigenwing::content::{Aircraft, FILES, embedded_aircraft};
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
 use eigenwing::flight::aircraft::axes::StabilityAxes;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::inertia::Inertia;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::analyse;
 use eigenwing::flight::motion::experiment::fly;
 use eigenwing::flight::motion::inputs::Input;
@@ -16,7 +16,7 @@ use eigenwing::flight::{Channel, Experiment, Start};
 fn models() -> Vec<(String, PlaneModel, Option<PlaneModel>)> {
     let (aircraft, _) = embedded_aircraft();
     let of = |one: Aircraft| {
-        let models = one.study.models().expect("it has a steady flight");
+        let models = one.aircraft_model.models().expect("it has a steady flight");
         (one.key, models.planes.longitudinal.expect("longitudinal"), models.planes.lateral)
     };
     aircraft.into_iter().map(of).collect()
@@ -93,10 +93,10 @@ fn every_control_moves_every_aircraft_the_way_that_its_sign_says() {
     let grid = TimeGrid { duration: 0.1, steps: 10 };
     let mut flown = 0;
     for one in embedded_aircraft().0 {
-        let edited = Edited::new(one.study);
+        let edited = EditedModel::new(one.aircraft_model);
         for (plane, channel, output, sense) in controls {
             // The lesson's matrix knows of no throttle.
-            if matches!(edited.study, Study::Matrices(_))
+            if matches!(edited.aircraft_model, AircraftModel::Matrices(_))
                 && (plane, channel) != (Plane::Longitudinal, Channel::First)
             {
                 continue;
@@ -190,9 +190,9 @@ fn right_wing_down_falls_to_the_right() {
 fn body_axes_have_w0_terms_and_stability_axes_none() {
     let (aircraft, _) = embedded_aircraft();
     for one in aircraft {
-        let model = one.study.models().expect("it flies").planes.longitudinal.expect("longitudinal");
+        let model = one.aircraft_model.models().expect("it flies").planes.longitudinal.expect("longitudinal");
         let w0 = model.trim.w0();
         assert_eq!(model.a[(0, 2)], -w0 + 0.0, "{}", one.key);
-        assert!(w0 == 0.0 || matches!(one.study, Study::Derivatives(_)), "{}", one.key);
+        assert!(w0 == 0.0 || matches!(one.aircraft_model, AircraftModel::Derivatives(_)), "{}", one.key);
     }
 }

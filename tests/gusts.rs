@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, DerivativeModel};
 use eigenwing::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::inertia::Inertia;
 use eigenwing::flight::aircraft::plane::{Plane, Trim};
-use eigenwing::flight::aircraft::study::{DerivativeStudy, Study};
 use eigenwing::flight::analyse;
 use eigenwing::flight::motion::experiment::fly;
 use eigenwing::flight::motion::gusts::{air_across, air_along, rate_columns};
@@ -45,7 +45,7 @@ fn the_gradient_of_a_gust_enters_as_derived_from_the_matrices_of_the_sources() {
         ("x15_m05_sl", "x15"),
     ] {
         let found = aircraft.iter().find(|aircraft| aircraft.key == key).expect("an aircraft");
-        let edited = Edited::new(found.study.clone());
+        let edited = EditedModel::new(found.aircraft_model.clone());
         let derivatives = edited.derivatives().expect("a trim").expect("derivatives");
         let models = edited.models().expect("a trim");
         for (plane, word) in [(Plane::Longitudinal, "longitudinal"), (Plane::Lateral, "lateral")] {
@@ -81,7 +81,7 @@ fn flying_into_growing_rising_air_lifts_the_nose_before_the_tail_feels_it() {
     let (aircraft, _) = embedded_aircraft();
     let found = aircraft.iter().find(|aircraft| aircraft.key == "x15").expect("an aircraft");
     let mut derivatives =
-        Edited::new(found.study.clone()).derivatives().expect("a trim").expect("derivatives");
+        EditedModel::new(found.aircraft_model.clone()).derivatives().expect("a trim").expect("derivatives");
     let longitudinal = derivatives.longitudinal.as_mut().expect("data");
     (longitudinal.m_wdot, longitudinal.z_wdot) = (0.0, 0.0);
     let rising = -1.0; // ẇ_g, z points down
@@ -98,9 +98,10 @@ fn air_from_ahead_lifts_by_twice_its_share_of_the_speed_and_leaves_the_angle_of_
     let (aircraft, _) = embedded_aircraft();
     let mut turned = 0;
     for one in aircraft {
-        let Study::Derivatives(study) = &one.study else { continue };
-        turned += usize::from(study.trim.alpha0 != 0.0);
-        let (key, expected) = (one.key.clone(), 2.0 * 3.0 / study.trim.speed * study.trim.gamma0.cos());
+        let AircraftModel::Derivatives(aircraft_model) = &one.aircraft_model else { continue };
+        turned += usize::from(aircraft_model.trim.alpha0 != 0.0);
+        let (key, expected) =
+            (one.key.clone(), 2.0 * 3.0 / aircraft_model.trim.speed * aircraft_model.trim.gamma0.cos());
         let mut scenario = Scenario::new(Arc::new(one));
         scenario.plane = Plane::Longitudinal;
         scenario.disturbance.choices.longitudinal.source = Source::HeadGust;
@@ -120,8 +121,8 @@ fn air_from_ahead_lifts_by_twice_its_share_of_the_speed_and_leaves_the_angle_of_
 }
 
 /// An aircraft in stability axes, with every derivative but those by ẇ, which body axes share between u̇ and ẇ.
-fn in_stability_axes() -> DerivativeStudy {
-    DerivativeStudy {
+fn in_stability_axes() -> DerivativeModel {
+    DerivativeModel {
         trim: Trim { speed: 60.0, alpha0: 0.0, gamma0: 0.05, gravity: 9.81 },
         inertia: Some(Inertia { ix: 1500.0, iy: 4000.0, iz: 4800.0, ixz: 300.0 }),
         longitudinal: Some(LongitudinalDerivatives {
@@ -155,12 +156,12 @@ fn in_stability_axes() -> DerivativeStudy {
 
 /// The same aircraft in body axes at an angle of attack: vectors of force, moment, velocity and rate turned about y, and the
 /// tensor of inertia with them.
-fn in_body_axes(study: &DerivativeStudy, alpha0: f64) -> DerivativeStudy {
+fn in_body_axes(aircraft_model: &DerivativeModel, alpha0: f64) -> DerivativeModel {
     let (sin, cos) = alpha0.sin_cos();
     // From components in stability axes to those in body axes.
     let turn = Matrix2::new(cos, -sin, sin, cos);
     let turned = |of: Matrix2<f64>| turn * of * turn.transpose();
-    let d = study.longitudinal.expect("data");
+    let d = aircraft_model.longitudinal.expect("data");
     let force = turned(Matrix2::new(d.x_u, d.x_w, d.z_u, d.z_w));
     let by_q = turn * Vector2::new(d.x_q, d.z_q);
     let moment = turn * Vector2::new(d.m_u, d.m_w);
@@ -175,7 +176,7 @@ fn in_body_axes(study: &DerivativeStudy, alpha0: f64) -> DerivativeStudy {
         m_w: moment[1],
         ..d
     };
-    let (i, l) = (study.inertia.expect("inertia"), study.lateral.expect("data"));
+    let (i, l) = (aircraft_model.inertia.expect("inertia"), aircraft_model.lateral.expect("data"));
     let tensor = turned(Matrix2::new(i.ix, -i.ixz, -i.ixz, i.iz));
     let inertia = Inertia { ix: tensor[(0, 0)], iy: i.iy, iz: tensor[(1, 1)], ixz: -tensor[(0, 1)] };
     let per = Vector2::new(1.0 / inertia.ix, 1.0 / inertia.iz);
@@ -196,8 +197,8 @@ fn in_body_axes(study: &DerivativeStudy, alpha0: f64) -> DerivativeStudy {
         ixz_over_iz: inertia.ixz / inertia.iz,
         ..l
     };
-    DerivativeStudy {
-        trim: Trim { alpha0, ..study.trim },
+    DerivativeModel {
+        trim: Trim { alpha0, ..aircraft_model.trim },
         inertia: Some(inertia),
         longitudinal: Some(longitudinal),
         lateral: Some(lateral),
@@ -207,9 +208,9 @@ fn in_body_axes(study: &DerivativeStudy, alpha0: f64) -> DerivativeStudy {
 /// What is felt and where it flies is the same whichever axes the numbers are given in, in every gust, small and large.
 #[test]
 fn a_gust_does_the_same_in_whatever_axes_the_aircraft_is_given() {
-    let study = in_stability_axes();
-    let [stability, body] =
-        [study.clone(), in_body_axes(&study, 0.21)].map(|s| Edited::new(Study::Derivatives(s)));
+    let aircraft_model = in_stability_axes();
+    let [stability, body] = [aircraft_model.clone(), in_body_axes(&aircraft_model, 0.21)]
+        .map(|s| EditedModel::new(AircraftModel::Derivatives(s)));
     let grid = TimeGrid { duration: 8.0, steps: 80 };
     let seen: [(Plane, &[Output]); 2] = [
         (

@@ -5,13 +5,13 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, CoefficientModel, ModelError, Models};
 use eigenwing::flight::aircraft::atmosphere::standard_air;
 use eigenwing::flight::aircraft::coefficients::{
     Airframe, Coefficients, LATERAL_COEFFICIENTS, LONGITUDINAL_COEFFICIENTS,
 };
 use eigenwing::flight::aircraft::knobs::{Knob, Knobs};
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
-use eigenwing::flight::aircraft::study::{CoefficientStudy, Models, Study, StudyError};
 use eigenwing::flight::modes::eigen::eigen;
 use eigenwing::flight::verdicts::static_stability::static_margin;
 use proptest::prelude::*;
@@ -21,10 +21,10 @@ fn margin(c: &Coefficients) -> f64 {
     static_margin(c.longitudinal.cm_alpha, c.longitudinal.cl_alpha).expect("a lift slope")
 }
 
-fn all() -> Vec<(String, CoefficientStudy)> {
-    static READ: LazyLock<Vec<(String, CoefficientStudy)>> = LazyLock::new(|| {
-        let from_coefficients = |one: eigenwing::content::Aircraft| match one.study {
-            Study::Coefficients(study) => Some((one.key, study)),
+fn all() -> Vec<(String, CoefficientModel)> {
+    static READ: LazyLock<Vec<(String, CoefficientModel)>> = LazyLock::new(|| {
+        let from_coefficients = |one: eigenwing::content::Aircraft| match one.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => Some((one.key, aircraft_model)),
             _ => None,
         };
         embedded_aircraft().0.into_iter().filter_map(from_coefficients).collect()
@@ -32,22 +32,25 @@ fn all() -> Vec<(String, CoefficientStudy)> {
     READ.clone()
 }
 
-fn study(key: &str) -> CoefficientStudy {
+fn aircraft_model(key: &str) -> CoefficientModel {
     all().into_iter().find(|(name, _)| name == key).expect("it starts from coefficients").1
 }
 
 fn turned(key: &str, turn: impl Fn(&mut Knobs)) -> (Airframe, Coefficients) {
-    let mut study = study(key);
-    turn(&mut study.knobs);
-    study.knobs.apply(&study.airframe, &study.coefficients).expect("the knob can stand so")
+    let mut aircraft_model = aircraft_model(key);
+    turn(&mut aircraft_model.knobs);
+    aircraft_model
+        .knobs
+        .apply(&aircraft_model.airframe, &aircraft_model.coefficients)
+        .expect("the knob can stand so")
 }
 
-fn models(study: &CoefficientStudy) -> Result<Models, StudyError> {
-    Study::Coefficients(study.clone()).models()
+fn models(aircraft_model: &CoefficientModel) -> Result<Models, ModelError> {
+    AircraftModel::Coefficients(aircraft_model.clone()).models()
 }
 
-fn sentence(study: &CoefficientStudy) -> String {
-    models(study).expect_err("there is no such flight").to_string()
+fn sentence(aircraft_model: &CoefficientModel) -> String {
+    models(aircraft_model).expect_err("there is no such flight").to_string()
 }
 
 /// ISO 2533:1975 and U.S. Standard Atmosphere 1976, by geopotential altitude: T, p, ρ, a.
@@ -79,15 +82,19 @@ fn the_atmosphere_is_that_of_the_published_tables() {
 
 #[test]
 fn at_the_reference_everything_is_the_identity_to_the_bit() {
-    for (key, study) in all() {
+    for (key, aircraft_model) in all() {
         for knob in Knob::ALL {
-            let one = study.knobs.apply_one(knob, &study.airframe, &study.coefficients);
-            assert_eq!(one, Ok((study.airframe, study.coefficients)), "{key}, {knob:?}");
+            let one =
+                aircraft_model.knobs.apply_one(knob, &aircraft_model.airframe, &aircraft_model.coefficients);
+            assert_eq!(one, Ok((aircraft_model.airframe, aircraft_model.coefficients)), "{key}, {knob:?}");
         }
-        let derived = study.derive().expect("the reference flies");
-        assert_eq!(derived.coefficients, study.coefficients, "{key}");
-        assert_eq!(derived.airframe, study.airframe, "{key}");
-        assert_eq!((derived.flight.alpha_change, derived.flight.density), (0.0, study.reference.density));
+        let derived = aircraft_model.derive().expect("the reference flies");
+        assert_eq!(derived.coefficients, aircraft_model.coefficients, "{key}");
+        assert_eq!(derived.airframe, aircraft_model.airframe, "{key}");
+        assert_eq!(
+            (derived.flight.alpha_change, derived.flight.density),
+            (0.0, aircraft_model.reference.density)
+        );
     }
 }
 
@@ -106,22 +113,22 @@ fn changed(before: &(Airframe, Coefficients), after: &(Airframe, Coefficients)) 
 }
 
 /// Every coefficient different from zero, so that whatever moves is seen to move.
-fn full() -> CoefficientStudy {
-    let mut study = study("b747-approach");
+fn full() -> CoefficientModel {
+    let mut aircraft_model = aircraft_model("b747-approach");
     for field in LONGITUDINAL_COEFFICIENTS {
-        let number = (field.of)(&mut study.coefficients.longitudinal);
+        let number = (field.of)(&mut aircraft_model.coefficients.longitudinal);
         if *number == 0.0 {
             *number = 0.01;
         }
     }
-    let lateral = study.coefficients.lateral.as_mut().expect("it has lateral data");
+    let lateral = aircraft_model.coefficients.lateral.as_mut().expect("it has lateral data");
     for field in LATERAL_COEFFICIENTS {
         let number = (field.of)(lateral);
         if *number == 0.0 {
             *number = 0.01;
         }
     }
-    study
+    aircraft_model
 }
 
 /// What the textbook relation of each knob moves: keys of coefficients, or `mass`, `Ix`, `Iy`, `Iz`.
@@ -160,7 +167,7 @@ const CONDITION_MOVES: [&str; 5] = ["CL", "CD", "CD_alpha", "Cl_r", "Cn_p"];
 
 #[test]
 fn each_knob_moves_what_its_relation_says_and_nothing_else() {
-    let study = full();
+    let aircraft_model = full();
     let knobs = Knobs {
         mass_ratio: 1.1,
         ix_ratio: 1.1,
@@ -171,7 +178,7 @@ fn each_knob_moves_what_its_relation_says_and_nothing_else() {
         fin_ratio: 1.2,
         dihedral_change: 0.03,
     };
-    let before = (study.airframe, study.coefficients);
+    let before = (aircraft_model.airframe, aircraft_model.coefficients);
     for knob in Knob::ALL {
         let after = knobs.apply_one(knob, &before.0, &before.1).expect("it can stand so");
         let mut moved = changed(&before, &after);
@@ -180,7 +187,7 @@ fn each_knob_moves_what_its_relation_says_and_nothing_else() {
         said.sort_unstable();
         assert_eq!(moved, said, "{knob:?}");
     }
-    let mut faster = study.clone();
+    let mut faster = aircraft_model.clone();
     faster.condition.speed *= 1.05;
     let derived = faster.derive().expect("it flies");
     let mut moved = changed(&before, &(derived.airframe, derived.coefficients));
@@ -205,23 +212,29 @@ fn aft_centre_of_gravity_is_less_stable_by_the_lift_slope() {
 
 #[test]
 fn at_the_neutral_point_pitch_stiffness_and_with_it_the_determinant_vanish() {
-    for (key, mut study) in all() {
-        study.coefficients.longitudinal.cm_m = 0.0;
-        let margin = margin(&study.coefficients);
+    for (key, mut aircraft_model) in all() {
+        aircraft_model.coefficients.longitudinal.cm_m = 0.0;
+        let margin = margin(&aircraft_model.coefficients);
         assert!((0.05..0.5).contains(&margin), "{key}: {margin}");
-        study.knobs.cg_shift = margin;
-        let c = study.derive().expect("it flies").coefficients.longitudinal;
+        aircraft_model.knobs.cg_shift = margin;
+        let c = aircraft_model.derive().expect("it flies").coefficients.longitudinal;
         assert!(c.cm_alpha.abs() < 1e-14);
         // E = g (Zu Mw − Mu Zw) is zero with Mw = Mu = 0, and changes sign there
-        study.coefficients.longitudinal.cl_m = 0.0;
-        let determinant = |study: &CoefficientStudy| {
-            models(study).expect("it flies").planes.longitudinal.expect("longitudinal").a.determinant()
+        aircraft_model.coefficients.longitudinal.cl_m = 0.0;
+        let determinant = |aircraft_model: &CoefficientModel| {
+            models(aircraft_model)
+                .expect("it flies")
+                .planes
+                .longitudinal
+                .expect("longitudinal")
+                .a
+                .determinant()
         };
-        let at = determinant(&study);
-        study.knobs.cg_shift = margin - 0.05;
-        let ahead = determinant(&study);
-        study.knobs.cg_shift = margin + 0.05;
-        let behind = determinant(&study);
+        let at = determinant(&aircraft_model);
+        aircraft_model.knobs.cg_shift = margin - 0.05;
+        let ahead = determinant(&aircraft_model);
+        aircraft_model.knobs.cg_shift = margin + 0.05;
+        let behind = determinant(&aircraft_model);
         assert!(at.abs() < 1e-9 * ahead.abs() && ahead > 0.0 && behind < 0.0, "{key}: {ahead} {at} {behind}");
     }
 }
@@ -230,19 +243,22 @@ fn at_the_neutral_point_pitch_stiffness_and_with_it_the_determinant_vanish() {
 /// rigid transfer must give the same with the shorter arm.
 #[test]
 fn moving_the_centre_of_gravity_of_a_lone_tail_shortens_its_arm() {
-    let mut study = study("navion");
+    let mut aircraft_model = aircraft_model("navion");
     let (slope, arm, shift) = (0.7, 2.8, 0.3);
-    let set = |study: &mut CoefficientStudy, arm: f64| {
-        let l = &mut study.coefficients.longitudinal;
+    let set = |aircraft_model: &mut CoefficientModel, arm: f64| {
+        let l = &mut aircraft_model.coefficients.longitudinal;
         (l.cl_alpha, l.cm_alpha) = (slope, -slope * arm);
         (l.cl_q, l.cm_q) = (2.0 * slope * arm, -2.0 * slope * arm * arm);
         (l.cl_alphadot, l.cm_alphadot) = (0.2, -0.2 * arm);
     };
-    set(&mut study, arm);
-    study.knobs.cg_shift = shift;
-    let (_, moved) = study.knobs.apply(&study.airframe, &study.coefficients).expect("it can stand so");
-    set(&mut study, arm - shift);
-    let (got, want) = (moved.longitudinal, study.coefficients.longitudinal);
+    set(&mut aircraft_model, arm);
+    aircraft_model.knobs.cg_shift = shift;
+    let (_, moved) = aircraft_model
+        .knobs
+        .apply(&aircraft_model.airframe, &aircraft_model.coefficients)
+        .expect("it can stand so");
+    set(&mut aircraft_model, arm - shift);
+    let (got, want) = (moved.longitudinal, aircraft_model.coefficients.longitudinal);
     for field in LONGITUDINAL_COEFFICIENTS.iter().filter(|field| field.key != "Cm_de") {
         assert!((field.get(&got) - field.get(&want)).abs() < 1e-12, "{}", field.key);
     }
@@ -250,21 +266,25 @@ fn moving_the_centre_of_gravity_of_a_lone_tail_shortens_its_arm() {
 
 #[test]
 fn a_fin_alone_transfers_in_the_same_way() {
-    let mut study = study("navion");
+    let mut aircraft_model = aircraft_model("navion");
     let (side, arm) = (-0.3, 0.5);
-    let shift = 0.2 * study.airframe.c / study.airframe.b;
-    let set = |study: &mut CoefficientStudy, arm: f64| {
-        let c = study.coefficients.lateral.as_mut().expect("lateral");
+    let shift = 0.2 * aircraft_model.airframe.c / aircraft_model.airframe.b;
+    let set = |aircraft_model: &mut CoefficientModel, arm: f64| {
+        let c = aircraft_model.coefficients.lateral.as_mut().expect("lateral");
         (c.cy_beta, c.cn_beta) = (side, -side * arm);
         (c.cy_r, c.cn_r) = (-2.0 * side * arm, 2.0 * side * arm * arm);
         (c.cl_beta, c.cl_r, c.cy_p, c.cn_p) = (0.0, 0.0, 0.0, 0.0);
         (c.cy_dr, c.cn_dr, c.cy_da, c.cn_da) = (0.1, -0.1 * arm, 0.0, 0.0);
     };
-    set(&mut study, arm);
-    study.knobs.cg_shift = 0.2;
-    let (_, moved) = study.knobs.apply(&study.airframe, &study.coefficients).expect("it can stand so");
-    set(&mut study, arm - shift);
-    let (got, want) = (moved.lateral.expect("lateral"), study.coefficients.lateral.expect("lateral"));
+    set(&mut aircraft_model, arm);
+    aircraft_model.knobs.cg_shift = 0.2;
+    let (_, moved) = aircraft_model
+        .knobs
+        .apply(&aircraft_model.airframe, &aircraft_model.coefficients)
+        .expect("it can stand so");
+    set(&mut aircraft_model, arm - shift);
+    let (got, want) =
+        (moved.lateral.expect("lateral"), aircraft_model.coefficients.lateral.expect("lateral"));
     for field in LATERAL_COEFFICIENTS {
         assert!((field.get(&got) - field.get(&want)).abs() < 1e-12, "{}", field.key);
     }
@@ -288,52 +308,56 @@ fn a_larger_tail_stiffens_damps_and_lifts() {
 
 #[test]
 fn a_larger_fin_weathercocks_and_damps_and_makes_the_spiral_less_stable() {
-    for (key, mut study) in all() {
-        let before = study.coefficients.lateral.expect("lateral");
+    for (key, mut aircraft_model) in all() {
+        let before = aircraft_model.coefficients.lateral.expect("lateral");
         let (_, c) = turned(&key, |knobs| knobs.fin_ratio = 1.5);
         let after = c.lateral.expect("lateral");
         assert!(after.cn_beta > before.cn_beta && after.cn_r < before.cn_r && after.cy_beta < before.cy_beta);
         assert!(after.cl_beta < before.cl_beta, "{key}: a fin above the axis adds to the dihedral effect");
         assert!((after.cn_dr / before.cn_dr - 1.5).abs() < 1e-12);
-        let frequency = |study: &CoefficientStudy| {
-            let model = models(study).expect("it flies").planes.lateral.expect("lateral");
+        let frequency = |aircraft_model: &CoefficientModel| {
+            let model = models(aircraft_model).expect("it flies").planes.lateral.expect("lateral");
             let values = eigen(&model.a).expect("it solves").values;
             values.iter().find(|value| value.im > 0.0).expect("a Dutch roll").norm()
         };
-        let was = frequency(&study);
-        study.knobs.fin_ratio = 1.5;
-        assert!(frequency(&study) > was, "{key}");
+        let was = frequency(&aircraft_model);
+        aircraft_model.knobs.fin_ratio = 1.5;
+        assert!(frequency(&aircraft_model) > was, "{key}");
     }
 }
 
 #[test]
 fn more_dihedral_makes_the_spiral_more_stable() {
-    for (key, mut study) in all() {
-        let slowest_root = |study: &CoefficientStudy| {
-            let model = models(study).expect("it flies").planes.lateral.expect("lateral");
+    for (key, mut aircraft_model) in all() {
+        let slowest_root = |aircraft_model: &CoefficientModel| {
+            let model = models(aircraft_model).expect("it flies").planes.lateral.expect("lateral");
             let values = eigen(&model.a).expect("it solves").values;
             values.iter().filter(|value| value.im == 0.0).map(|value| value.re).fold(f64::MIN, f64::max)
         };
-        let was = slowest_root(&study);
-        study.knobs.dihedral_change = 2_f64.to_radians();
-        assert!(slowest_root(&study) < was, "{key}");
+        let was = slowest_root(&aircraft_model);
+        aircraft_model.knobs.dihedral_change = 2_f64.to_radians();
+        assert!(slowest_root(&aircraft_model) < was, "{key}");
     }
     // a wing of constant chord: Cl_β = −C_Lα Γ/4
-    let mut study = study("navion");
-    study.airframe.taper = Some(1.0);
-    study.knobs.dihedral_change = 0.1;
-    let (_, c) = study.knobs.apply(&study.airframe, &study.coefficients).expect("it can stand so");
-    let change = c.lateral.expect("lateral").cl_beta - study.coefficients.lateral.expect("lateral").cl_beta;
-    assert!((change + 0.1 * study.coefficients.longitudinal.cl_alpha / 4.0).abs() < 1e-14);
+    let mut aircraft_model = aircraft_model("navion");
+    aircraft_model.airframe.taper = Some(1.0);
+    aircraft_model.knobs.dihedral_change = 0.1;
+    let (_, c) = aircraft_model
+        .knobs
+        .apply(&aircraft_model.airframe, &aircraft_model.coefficients)
+        .expect("it can stand so");
+    let change =
+        c.lateral.expect("lateral").cl_beta - aircraft_model.coefficients.lateral.expect("lateral").cl_beta;
+    assert!((change + 0.1 * aircraft_model.coefficients.longitudinal.cl_alpha / 4.0).abs() < 1e-14);
 }
 
 #[test]
 fn lift_balances_weight_at_every_speed_height_mass_and_path() {
-    let base = study("navion");
-    let cl = |change: &dyn Fn(&mut CoefficientStudy)| {
-        let mut study = base.clone();
-        change(&mut study);
-        study.derive().expect("it flies").coefficients.longitudinal.cl
+    let base = aircraft_model("navion");
+    let cl = |change: &dyn Fn(&mut CoefficientModel)| {
+        let mut aircraft_model = base.clone();
+        change(&mut aircraft_model);
+        aircraft_model.derive().expect("it flies").coefficients.longitudinal.cl
     };
     let cl0 = base.coefficients.longitudinal.cl;
     assert!((cl(&|s| s.condition.speed *= 1.2) * 1.44 / cl0 - 1.0).abs() < 1e-12);
@@ -345,10 +369,10 @@ fn lift_balances_weight_at_every_speed_height_mass_and_path() {
 
 #[test]
 fn drag_follows_a_parabolic_polar() {
-    let mut study = study("navion");
-    let reference = study.coefficients.longitudinal;
-    study.condition.speed *= 0.8;
-    let now = study.derive().expect("it flies").coefficients.longitudinal;
+    let mut aircraft_model = aircraft_model("navion");
+    let reference = aircraft_model.coefficients.longitudinal;
+    aircraft_model.condition.speed *= 0.8;
+    let now = aircraft_model.derive().expect("it flies").coefficients.longitudinal;
     // C_Dα = 2 k C_L C_Lα with the same k, and C_D0 = C_D − k C_L² the same
     let k = |l: eigenwing::flight::aircraft::coefficients::LongitudinalCoefficients| {
         l.cd_alpha / (2.0 * l.cl * l.cl_alpha)
@@ -361,17 +385,17 @@ fn drag_follows_a_parabolic_polar() {
 
 #[test]
 fn a_faster_navion_has_a_slower_phugoid_and_a_faster_short_period() {
-    let pairs = |study: &CoefficientStudy| {
-        let model = models(study).expect("it flies").planes.longitudinal.expect("longitudinal");
+    let pairs = |aircraft_model: &CoefficientModel| {
+        let model = models(aircraft_model).expect("it flies").planes.longitudinal.expect("longitudinal");
         let values = eigen(&model.a).expect("it solves").values;
         let mut sizes: Vec<f64> = values.iter().filter(|v| v.im > 0.0).map(|v| v.norm()).collect();
         sizes.sort_by(f64::total_cmp);
         sizes
     };
-    let mut study = study("navion");
-    let before = pairs(&study);
-    study.condition.speed *= 1.3;
-    let after = pairs(&study);
+    let mut aircraft_model = aircraft_model("navion");
+    let before = pairs(&aircraft_model);
+    aircraft_model.condition.speed *= 1.3;
+    let after = pairs(&aircraft_model);
     // Lanchester: ωn = √2 g/V, so the frequency falls nearly as 1/V
     assert!((after[0] / before[0] * 1.3 - 1.0).abs() < 0.06, "{before:?} {after:?}");
     assert!(after[1] > 1.2 * before[1]);
@@ -379,11 +403,11 @@ fn a_faster_navion_has_a_slower_phugoid_and_a_faster_short_period() {
 
 #[test]
 fn a_flight_that_cannot_be_says_so_with_numbers() {
-    let base = study("navion");
-    let said = |change: &dyn Fn(&mut CoefficientStudy)| {
-        let mut study = base.clone();
-        change(&mut study);
-        sentence(&study)
+    let base = aircraft_model("navion");
+    let said = |change: &dyn Fn(&mut CoefficientModel)| {
+        let mut aircraft_model = base.clone();
+        change(&mut aircraft_model);
+        sentence(&aircraft_model)
     };
     assert_eq!(
         said(&|s| s.condition.speed = 25.0),
@@ -401,7 +425,7 @@ fn a_flight_that_cannot_be_says_so_with_numbers() {
     assert!(said(&|s| s.condition.gamma0 = -1.5).contains("flight path of −86°"));
     assert!(said(&|s| s.knobs.mass_ratio = -1.0).contains("mass ratio must be positive, not −1"));
     assert!(said(&|s| s.knobs.cg_shift = 2.0).contains("within one mean chord, not 2"));
-    let bare = |s: &mut CoefficientStudy| {
+    let bare = |s: &mut CoefficientModel| {
         (s.airframe.tail, s.airframe.fin, s.airframe.taper) = (None, None, None);
     };
     let no_tail = said(&|s| {
@@ -409,20 +433,21 @@ fn a_flight_that_cannot_be_says_so_with_numbers() {
         s.knobs.tail_ratio = 2.0;
     });
     assert_eq!(no_tail, "the horizontal tail cannot be changed: this aircraft’s data has no tail arm");
-    let mut study = base.clone();
-    bare(&mut study);
-    assert!(models(&study).is_ok(), "knobs at rest need no geometry");
+    let mut aircraft_model = base.clone();
+    bare(&mut aircraft_model);
+    assert!(models(&aircraft_model).is_ok(), "knobs at rest need no geometry");
 }
 
 #[test]
 fn a_plane_with_a_problem_leaves_the_other() {
-    let mut study = study("b747-approach");
-    study.knobs.ix_ratio = 0.001;
-    let made = models(&study).expect("the flight itself is possible");
+    let mut aircraft_model = aircraft_model("b747-approach");
+    aircraft_model.knobs.ix_ratio = 0.001;
+    let made = models(&aircraft_model).expect("the flight itself is possible");
     assert!(made.planes.longitudinal.is_some() && made.planes.lateral.is_none());
     assert!(made.problems[0].to_string().starts_with("Ixz² is 7.677 times Ix Iz"), "{}", made.problems[0]);
 
-    let Ok(Some(mut free)) = Study::Coefficients(self::study("navion")).to_derivatives() else {
+    let Ok(Some(mut free)) = AircraftModel::Coefficients(self::aircraft_model("navion")).to_derivatives()
+    else {
         panic!("it has derivatives")
     };
     if let Some(d) = &mut free.longitudinal {
@@ -440,10 +465,10 @@ fn a_plane_with_a_problem_leaves_the_other() {
 
 #[test]
 fn derivatives_set_free_give_the_same_models() {
-    for (key, study) in all() {
-        let study = Study::Coefficients(study);
-        let free = study.to_derivatives().expect("it flies").expect("it has derivatives");
-        assert_eq!(Ok(free.models()), study.models(), "{key}");
+    for (key, aircraft_model) in all() {
+        let aircraft_model = AircraftModel::Coefficients(aircraft_model);
+        let free = aircraft_model.to_derivatives().expect("it flies").expect("it has derivatives");
+        assert_eq!(Ok(free.models()), aircraft_model.models(), "{key}");
     }
 }
 
@@ -472,8 +497,8 @@ fn whatever_the_knobs_the_models_are_finite_or_a_sentence() {
     let inputs = (0_usize..5, ratios, changes, flight, 0_usize..15, wild());
     let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
     let outcome = TestRunner::new(config).run(&inputs, |(which, ratios, changes, flight, row, x)| {
-        let mut study = all[which % all.len()].1.clone();
-        study.knobs = Knobs {
+        let mut aircraft_model = all[which % all.len()].1.clone();
+        aircraft_model.knobs = Knobs {
             mass_ratio: ratios[0],
             ix_ratio: ratios[1],
             iy_ratio: ratios[2],
@@ -483,11 +508,11 @@ fn whatever_the_knobs_the_models_are_finite_or_a_sentence() {
             cg_shift: changes[0],
             dihedral_change: changes[1],
         };
-        study.condition.speed *= flight.0;
-        study.condition.altitude += 1000.0 * flight.1;
-        study.condition.gamma0 = changes[2];
-        *(LONGITUDINAL_COEFFICIENTS[row].of)(&mut study.coefficients.longitudinal) = x;
-        match models(&study) {
+        aircraft_model.condition.speed *= flight.0;
+        aircraft_model.condition.altitude += 1000.0 * flight.1;
+        aircraft_model.condition.gamma0 = changes[2];
+        *(LONGITUDINAL_COEFFICIENTS[row].of)(&mut aircraft_model.coefficients.longitudinal) = x;
+        match models(&aircraft_model) {
             Ok(models) => {
                 made.set(made.get() + 1);
                 prop_assert!(models.planes.iter().flatten().all(is_finite));
@@ -505,12 +530,12 @@ proptest! {
 
     #[test]
     fn two_shifts_of_the_centre_of_gravity_are_one(a in -0.5..0.5_f64, b in -0.5..0.5_f64) {
-        let study = full();
+        let aircraft_model = full();
         let shift = |c: &Coefficients, cg_shift| {
-            Knobs { cg_shift, ..Knobs::default() }.apply(&study.airframe, c).expect("it can stand so").1
+            Knobs { cg_shift, ..Knobs::default() }.apply(&aircraft_model.airframe, c).expect("it can stand so").1
         };
-        let twice = shift(&shift(&study.coefficients, a), b);
-        let once = shift(&study.coefficients, a + b);
+        let twice = shift(&shift(&aircraft_model.coefficients, a), b);
+        let once = shift(&aircraft_model.coefficients, a + b);
         for field in LONGITUDINAL_COEFFICIENTS {
             let (x, y) = (field.get(&twice.longitudinal), field.get(&once.longitudinal));
             prop_assert!((x - y).abs() < 1e-11, "{}", field.key);

@@ -2,7 +2,7 @@
 
 use eigenwing::flight::modes::eigen::{Eigen, eigen};
 use eigenwing::flight::motion::inputs::Input;
-use eigenwing::flight::motion::response::{Forced, TimeGrid, respond, steady_state};
+use eigenwing::flight::motion::response::{DrivenSystem, TimeGrid, respond, steady_state};
 use nalgebra::{Matrix4, Vector4};
 use serde::Deserialize;
 
@@ -110,7 +110,7 @@ fn the_step_response_is_python_controls() {
     for model in &golden.models {
         for (steps, per_second) in [(60, 2.0), (3000, 100.0)] {
             let response = respond(
-                &Forced::from_rest(model.a(), golden.b(), step.clone()),
+                &DrivenSystem::from_rest(model.a(), golden.b(), step.clone()),
                 TimeGrid { duration: 30.0, steps },
             );
             assert_eq!(response.cut_at, None);
@@ -133,7 +133,7 @@ fn the_pulse_response_is_scipys_with_zero_order_hold() {
     let start = grid.time(50);
     let pulse = Input::Pulse { amplitude: 0.1, start, duration: grid.time(60) - start };
     for model in &golden.models {
-        let response = respond(&Forced::from_rest(model.a(), golden.b(), pulse.clone()), grid);
+        let response = respond(&DrivenSystem::from_rest(model.a(), golden.b(), pulse.clone()), grid);
         assert_eq!(response.states.len(), 1000);
         for sample in &model.pulse {
             assert_states(

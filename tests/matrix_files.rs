@@ -2,15 +2,15 @@
 //! with its line.
 
 use eigenwing::content::{Aircraft, MatrixFormat};
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::modes::mode::{Mode, modes};
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::flight::modes::stability::Stability;
 use eigenwing::flight::motion::frequency_response::{frequency_response, peaks};
 use eigenwing::flight::motion::inputs::Input;
 use eigenwing::flight::motion::outputs::Output;
-use eigenwing::flight::motion::response::Forced;
+use eigenwing::flight::motion::response::DrivenSystem;
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 /// The Navion in metres (Teper, NASA CR-96008), rounded: what every form below says.
@@ -66,8 +66,10 @@ fn read(text: &str, format: MatrixFormat) -> Result<Aircraft, String> {
 
 fn model(text: &str, format: MatrixFormat) -> PlaneModel {
     let aircraft = read(text, format).expect("the file can be read");
-    let Study::Matrices(study) = aircraft.study else { panic!("a study of matrices") };
-    study.longitudinal.or(study.lateral).expect("one plane")
+    let AircraftModel::Matrices(aircraft_model) = aircraft.aircraft_model else {
+        panic!("a study of matrices")
+    };
+    aircraft_model.longitudinal.or(aircraft_model.lateral).expect("one plane")
 }
 
 fn expected() -> (Matrix4<f64>, Matrix4x2<f64>) {
@@ -280,7 +282,7 @@ fn no_cut_or_changed_file_panics() {
             for inserted in ["", "'", "[", "\"", "...", "−", "1e999", ","] {
                 let changed = format!("{}{inserted}{}", &text[..end], &text[end + 1..]);
                 if let Ok(aircraft) = read(&changed, format) {
-                    let models = aircraft.study.models().expect("bare matrices are models");
+                    let models = aircraft.aircraft_model.models().expect("bare matrices are models");
                     assert!(models.problems.is_empty());
                 }
                 let _ = read(&text[..end], format);
@@ -303,12 +305,19 @@ fn a_true_minus_sign_is_a_minus_wherever_numbers_are_good() {
         dashed
     };
     for (text, format) in [(JSON, MatrixFormat::Json), (CSV, MatrixFormat::Csv)] {
-        assert_eq!(good(&dashed(text), format).study, good(text, format).study, "{format:?}");
+        assert_eq!(
+            good(&dashed(text), format).aircraft_model,
+            good(text, format).aircraft_model,
+            "{format:?}"
+        );
     }
     let matlab = "% units: SI\n% speed: 53.64\n% states: u w q theta\nA = [ −0.0451  0.0362   0      −9.80665\n\
                   −0.3695 −2.0232  53.64    0\n 0.0063 −1.639e−1  −2.9857  0\n 0 0 1 0 ];\n";
     let hyphens = matlab.replace('−', "-");
-    assert_eq!(good(matlab, MatrixFormat::Matlab).study, good(&hyphens, MatrixFormat::Matlab).study);
+    assert_eq!(
+        good(matlab, MatrixFormat::Matlab).aircraft_model,
+        good(&hyphens, MatrixFormat::Matlab).aircraft_model
+    );
 }
 
 const LATERAL: &str = "units,SI\nspeed,15.0217778\nalpha0_deg,8.79\n,beta,p,r,phi\nbeta,-0.1159,0.152813,-0.988255,0.645382\n\
@@ -331,7 +340,7 @@ fn units_that_cannot_be_are_told_of_lateral_matrices_too() {
 }
 
 fn modes_in(aircraft: &Aircraft, plane: Plane) -> Vec<Mode> {
-    let models = aircraft.study.models().expect("models");
+    let models = aircraft.aircraft_model.models().expect("models");
     modes(models.planes[plane].as_ref().expect("data")).expect("modes")
 }
 
@@ -357,9 +366,9 @@ fn an_undamped_phugoid_has_no_damping_and_a_peak_without_bound() {
     let phugoid = modes.iter().find(|mode| mode.naming.name == ModeName::Phugoid).expect("a phugoid");
     assert_eq!((phugoid.lambda.re, phugoid.damping_ratio()), (0.0, Some(0.0)));
     assert!((phugoid.lambda.im - 0.282_843).abs() < 1e-6);
-    let model = aircraft.study.models().expect("models").planes.longitudinal.expect("data");
+    let model = aircraft.aircraft_model.models().expect("models").planes.longitudinal.expect("data");
     let unit = Input::Step { amplitude: 1.0, start: 0.0 };
-    let forced = Forced::from_rest(model.a, model.b.column(0).into_owned(), unit);
+    let forced = DrivenSystem::from_rest(model.a, model.b.column(0).into_owned(), unit);
     let row = Output::PitchAngle.row(&model, &forced);
     let points = frequency_response(&forced, &row, 0, (0.01, 100.0), 400);
     let found = peaks(&forced, &row, 0, &points, &modes);

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use eigenwing::content::embedded_aircraft;
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
 use eigenwing::flight::aircraft::atmosphere::standard_air;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::aircraft::real::Dual64;
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::modes::sensitivity::entry_rate;
 use eigenwing::scenario::parameters::Group;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
@@ -204,8 +204,11 @@ fn at_the_edge_of_what_can_be_flown_the_rate_is_that_of_the_side_inside() {
 #[test]
 fn a_knob_that_cannot_be_turned_has_no_rate() {
     let mut navion = shipped().remove(0);
-    let Study::Coefficients(study) = &mut navion.edited.study else { panic!("the Navion has coefficients") };
-    (study.airframe.tail, study.airframe.fin, study.airframe.taper) = (None, None, None);
+    let AircraftModel::Coefficients(aircraft_model) = &mut navion.edited.aircraft_model else {
+        panic!("the Navion has coefficients")
+    };
+    (aircraft_model.airframe.tail, aircraft_model.airframe.fin, aircraft_model.airframe.taper) =
+        (None, None, None);
     for key in ["tail", "fin", "dihedral"] {
         assert_eq!(find(key).matrix_rate(&navion.edited, navion.plane), None, "{key}");
     }

@@ -1,11 +1,11 @@
 //! Names, verdicts and warnings, against published modes and the lesson's golden analysis.
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
+use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, MatrixModel};
 use eigenwing::flight::aircraft::axes::StabilityAxes;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use eigenwing::flight::aircraft::states::Longitudinal;
-use eigenwing::flight::aircraft::study::{MatrixStudy, Study};
 use eigenwing::flight::analysis::{Analysis, PlaneAnalysis};
 use eigenwing::flight::modes::mode::{Mode, modes};
 use eigenwing::flight::modes::mode_name::ModeName;
@@ -154,8 +154,10 @@ fn a_model_without_a_trim_speed_is_an_error_with_a_sentence() {
         let mut model = longitudinal("navion").model;
         model.trim.speed = speed;
         let mut scenario = Scenario::new(aircraft("navion").into());
-        scenario.edited =
-            Edited::new(Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None }));
+        scenario.edited = EditedModel::new(AircraftModel::Matrices(MatrixModel {
+            longitudinal: Some(model),
+            lateral: None,
+        }));
         let analysis = scenario.analyse().expect("an analysis");
         let error = analysis.planes.longitudinal.expect("longitudinal data").expect_err("no analysis of it");
         assert!(error.to_string().contains("trim speed"), "{error}");

@@ -12,7 +12,7 @@ use eigenwing::flight::motion::course::Course;
 use eigenwing::flight::motion::frequency_response::{frequency_response, peaks, transfer};
 use eigenwing::flight::motion::inputs::Input;
 use eigenwing::flight::motion::outputs::Output;
-use eigenwing::flight::motion::response::{Forced, TimeGrid, respond};
+use eigenwing::flight::motion::response::{DrivenSystem, TimeGrid, respond};
 use eigenwing::flight::motion::response_metrics::{
     control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_metrics, time_to_bank,
 };
@@ -197,7 +197,7 @@ fn the_peaks_are_the_short_period_and_the_dutch_roll() {
 }
 
 /// A pitching motion by itself, θ̈ + 2ζωₙ θ̇ + ωₙ² θ = ωₙ² δ, beside u̇ = −u + δ, with a step of δ at 1 s.
-fn on_paper(zeta: f64, wn: f64, amplitude: f64) -> (PlaneModel, Vec<Mode>, Forced) {
+fn on_paper(zeta: f64, wn: f64, amplitude: f64) -> (PlaneModel, Vec<Mode>, DrivenSystem) {
     #[rustfmt::skip]
     let a = Matrix4::new(
         -1.0,  0.0,              0.0,       0.0,
@@ -209,7 +209,7 @@ fn on_paper(zeta: f64, wn: f64, amplitude: f64) -> (PlaneModel, Vec<Mode>, Force
     let model = PlaneModel { plane: Plane::Longitudinal, a, b: Matrix4x2::zeros(), trim };
     let modes = modes(&model).expect("modes");
     let column = Vector4::new(1.0, 0.0, wn * wn, 0.0);
-    (model, modes, Forced::from_rest(a, column, Input::Step { amplitude, start: 1.0 }))
+    (model, modes, DrivenSystem::from_rest(a, column, Input::Step { amplitude, start: 1.0 }))
 }
 
 /// 1 − e^{−t} never goes beyond, rises in ln 9 and is settled at ln 50.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use eigenwing::flight::motion::inputs::Input;
-use eigenwing::flight::motion::response::{Forced, Forcing, PathRates, Response, TimeGrid, respond};
+use eigenwing::flight::motion::response::{DrivenSystem, Forcing, PathRates, Response, TimeGrid, respond};
 use nalgebra::{Matrix4, Vector2, Vector4};
 use serde::Deserialize;
 
@@ -91,7 +91,7 @@ fn response(model: &Model, run: &Run) -> Response {
         let rate_column = if run.rate { model.rate_columns[name].into() } else { Vector4::zeros() };
         Forcing { rate_column, ..Forcing::new(model.columns[name].into(), input) }
     });
-    let forced = Forced {
+    let forced = DrivenSystem {
         a: Matrix4::from_fn(|i, j| model.a[i][j]),
         path: PathRates::default(),
         forcings: forcing.into_iter().collect(),

@@ -2,7 +2,9 @@
 
 use eigenwing::flight::modes::eigen::eigen;
 use eigenwing::flight::motion::inputs::Input;
-use eigenwing::flight::motion::response::{CUT_LIMIT, Forced, MOST_STEPS, Response, TimeGrid, steady_state};
+use eigenwing::flight::motion::response::{
+    CUT_LIMIT, DrivenSystem, MOST_STEPS, Response, TimeGrid, steady_state,
+};
 use nalgebra::{Matrix4, Vector4};
 use proptest::prelude::*;
 
@@ -22,7 +24,7 @@ fn step(amplitude: f64, start: f64) -> Input {
 }
 
 fn respond(a: &Matrix4<f64>, b: &Vector4<f64>, input: &Input, grid: TimeGrid) -> Response {
-    eigenwing::flight::motion::response::respond(&Forced::from_rest(*a, *b, input.clone()), grid)
+    eigenwing::flight::motion::response::respond(&DrivenSystem::from_rest(*a, *b, input.clone()), grid)
 }
 
 fn run(input: &Input, grid: TimeGrid) -> Response {
@@ -88,7 +90,7 @@ proptest! {
             _ => Input::Samples { dt: duration, values: samples.into() },
         };
         let (a, b) = aircraft();
-        let mut forced = Forced::from_rest(a, b, input);
+        let mut forced = DrivenSystem::from_rest(a, b, input);
         if rates {
             forced.forcings[0].rate_column = b;
         }

@@ -1,9 +1,9 @@
 //! What every rigid body and every flight must do, and what SciPy has them do.
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::inertia::Inertia;
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::motion::aerodynamics::Controls;
 use eigenwing::flight::motion::flight_path::{Excitation, FlightPath};
 use eigenwing::flight::motion::integrator::{Integrator, STEP_ERROR};
@@ -230,15 +230,18 @@ fn torque_free_motion_is_scipys() {
 fn assert_is_scipys(golden: &Value) {
     let number = |of: &Value| of.as_f64().expect("a number");
     let aircraft = embedded_aircraft().0.into_iter().find(|one| one.key == "navion").expect("it ships");
-    let Study::Coefficients(mut study) = aircraft.study else { panic!("it starts from coefficients") };
-    study.coefficients.longitudinal.cl_alphadot = number(&golden["cl_alphadot"]);
-    study.airframe.thrust_exponent = number(&golden["thrust_exponent"]);
-    study.airframe.thrust_offset = number(&golden["thrust_offset"]);
+    let AircraftModel::Coefficients(mut aircraft_model) = aircraft.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.coefficients.longitudinal.cl_alphadot = number(&golden["cl_alphadot"]);
+    aircraft_model.airframe.thrust_exponent = number(&golden["thrust_exponent"]);
+    aircraft_model.airframe.thrust_offset = number(&golden["thrust_offset"]);
     let gamma0 = number(&golden["gamma0"]);
     // The source's own C_L, 0.41, in the climb too.
-    study.reference.condition.gamma0 = gamma0;
-    study.condition.gamma0 = gamma0;
-    let flight = SixDof::new(&Edited::new(Study::Coefficients(study))).expect("it flies");
+    aircraft_model.reference.condition.gamma0 = gamma0;
+    aircraft_model.condition.gamma0 = gamma0;
+    let flight =
+        SixDof::new(&EditedModel::new(AircraftModel::Coefficients(aircraft_model))).expect("it flies");
     let on = |t: f64, from: f64, name: &str| {
         if t >= from { number(&golden["controls"][name]) } else { 0.0 }
     };

@@ -20,7 +20,7 @@ fn all() -> Vec<Aircraft> {
 }
 
 fn comparisons(aircraft: &Aircraft, plane: Plane) -> Option<(&PlaneNotes, Vec<Comparison>)> {
-    let models = aircraft.study.models().expect("every shipped aircraft has a steady flight");
+    let models = aircraft.aircraft_model.models().expect("every shipped aircraft has a steady flight");
     assert!(models.problems.is_empty(), "{}: {:?}", aircraft.key, models.problems);
     let notes = aircraft.plane_notes[plane].as_ref()?;
     let model = match plane {

@@ -2,8 +2,8 @@
 
 pub use super::published::{Published, PublishedMode, Quantity};
 pub use super::reader::ContentError;
+use crate::flight::aircraft::aircraft_model::{AircraftModel, DerivativeModel, Models};
 use crate::flight::aircraft::plane::ByPlane;
-use crate::flight::aircraft::study::{DerivativeStudy, Models, Study};
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 use crate::key::keys;
 
@@ -27,7 +27,7 @@ pub struct Aircraft {
     /// Source of every number.
     pub source: String,
     /// Everything a person may edit, at the source's values.
-    pub study: Study,
+    pub aircraft_model: AircraftModel,
     /// What follows from `study`.
     pub baseline: Baseline,
     /// What is known of the data of each plane, where there are any.
@@ -46,17 +46,17 @@ pub struct Aircraft {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baseline {
     /// Dimensional derivatives; `None` where the source has bare matrices.
-    pub derivatives: Option<DerivativeStudy>,
+    pub derivatives: Option<DerivativeModel>,
     /// The linear models.
     pub models: Models,
 }
 
 impl Baseline {
     /// The derivatives and models of a study; empty where there is no such steady flight.
-    pub fn new(study: &Study) -> Self {
+    pub fn new(aircraft_model: &AircraftModel) -> Self {
         Self {
-            derivatives: study.to_derivatives().ok().flatten(),
-            models: study.models().unwrap_or_default(),
+            derivatives: aircraft_model.to_derivatives().ok().flatten(),
+            models: aircraft_model.models().unwrap_or_default(),
         }
     }
 }
@@ -143,10 +143,12 @@ impl LengthUnit {
 impl Aircraft {
     /// True airspeed of the reference \[m/s\].
     pub fn speed(&self) -> f64 {
-        match &self.study {
-            Study::Coefficients(study) => study.reference.condition.speed,
-            Study::Derivatives(study) => study.trim.speed,
-            Study::Matrices(study) => study.iter().flatten().next().map_or(1.0, |model| model.trim.speed),
+        match &self.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => aircraft_model.reference.condition.speed,
+            AircraftModel::Derivatives(aircraft_model) => aircraft_model.trim.speed,
+            AircraftModel::Matrices(aircraft_model) => {
+                aircraft_model.iter().flatten().next().map_or(1.0, |model| model.trim.speed)
+            }
         }
     }
 }

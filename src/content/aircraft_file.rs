@@ -3,15 +3,15 @@
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 use super::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
-use super::airframe_file::{coefficient_study, derivative_study};
+use super::airframe_file::{coefficient_model, derivative_model};
 use super::published::read_published;
 use super::reader::{Block, ContentError, with_file};
 use super::shapes::{SHAPES, USUAL_SHAPE};
 use super::units::UnitSystem;
+use crate::flight::aircraft::aircraft_model::{AircraftModel, CoefficientModel, MatrixModel};
 use crate::flight::aircraft::coefficients::Airframe;
 use crate::flight::aircraft::inertia::Inertia;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
-use crate::flight::aircraft::study::{CoefficientStudy, MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 
@@ -56,17 +56,17 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         longitudinal: Some(read_notes(&mut longitudinal, &source)?),
         lateral: lateral.as_mut().map(|block| read_notes(block, &source)).transpose()?,
     };
-    let (study, particulars, data_notes) = match basis {
-        Basis::Coefficients => coefficient_study(file, units, &mut longitudinal, lateral.as_mut())?,
-        Basis::Derivatives => derivative_study(file, units, &mut longitudinal, lateral.as_mut())?,
+    let (aircraft_model, particulars, data_notes) = match basis {
+        Basis::Coefficients => coefficient_model(file, units, &mut longitudinal, lateral.as_mut())?,
+        Basis::Derivatives => derivative_model(file, units, &mut longitudinal, lateral.as_mut())?,
     };
-    let doubt = inertia_doubt(&study);
+    let doubt = inertia_doubt(&aircraft_model);
     notes.extend(data_notes);
     notes.extend(doubt.clone());
     longitudinal.finish()?;
     lateral.as_ref().map_or(Ok(()), Block::finish)?;
 
-    let models = study.models().map_err(|problem| longitudinal.error_here(problem))?;
+    let models = aircraft_model.models().map_err(|problem| longitudinal.error_here(problem))?;
     if let Some(problem) = models.problems.first() {
         return Err(file.error_here(problem));
     }
@@ -85,8 +85,8 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
             plane_notes.iter().flatten().map(|plane| plane.status_reason.as_str()).chain(doubt.as_deref()),
         ),
         source,
-        baseline: Baseline::new(&study),
-        study,
+        baseline: Baseline::new(&aircraft_model),
+        aircraft_model,
         plane_notes,
         particulars,
         class,
@@ -96,13 +96,13 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
 }
 
 /// Said of moments of inertia that no rigid body has; their limit, a body that is flat, is one of them.
-fn inertia_doubt(study: &Study) -> Option<String> {
-    let inertia = match study {
-        Study::Coefficients(CoefficientStudy { airframe: Airframe { ix, iy, iz, ixz, .. }, .. }) => {
-            Inertia { ix: *ix, iy: *iy, iz: *iz, ixz: *ixz }
-        }
-        Study::Derivatives(study) => study.inertia?,
-        Study::Matrices(_) => return None,
+fn inertia_doubt(aircraft_model: &AircraftModel) -> Option<String> {
+    let inertia = match aircraft_model {
+        AircraftModel::Coefficients(CoefficientModel {
+            airframe: Airframe { ix, iy, iz, ixz, .. }, ..
+        }) => Inertia { ix: *ix, iy: *iy, iz: *iz, ixz: *ixz },
+        AircraftModel::Derivatives(aircraft_model) => aircraft_model.inertia?,
+        AircraftModel::Matrices(_) => return None,
     };
     let flatness = inertia.flatness();
     (flatness > 1.0 - 1e-6).then(|| {
@@ -171,8 +171,8 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let b = Matrix4x2::from_columns(&[b_elevator, Vector4::zeros()]);
     let trim = Trim { speed: u0 * l, alpha0: 0.0, gamma0: 0.0, gravity: STANDARD_GRAVITY };
     let model = PlaneModel { plane: Plane::Longitudinal, a, b, trim };
-    let study = Study::Matrices(MatrixStudy { longitudinal: Some(model), lateral: None });
-    let baseline = Baseline::new(&study);
+    let aircraft_model = AircraftModel::Matrices(MatrixModel { longitudinal: Some(model), lateral: None });
+    let baseline = Baseline::new(&aircraft_model);
     if let Some(problem) = baseline.models.problems.first() {
         return Err(block.error("a", problem));
     }
@@ -194,7 +194,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         },
         status_reason,
         source,
-        study,
+        aircraft_model,
         baseline,
         particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },
         class: None,

@@ -3,6 +3,7 @@
 use super::aircraft::Particulars;
 use super::reader::{Block, ContentError};
 use super::units::UnitSystem;
+use crate::flight::aircraft::aircraft_model::{AircraftModel, CoefficientModel, DerivativeModel};
 use crate::flight::aircraft::atmosphere::standard_air;
 use crate::flight::aircraft::coefficients::{
     Airframe, Coefficients, Field, Fin, HorizontalTail, InertiaAxes, LATERAL_COEFFICIENTS,
@@ -14,7 +15,6 @@ use crate::flight::aircraft::derivatives::{
 };
 use crate::flight::aircraft::inertia::Inertia;
 use crate::flight::aircraft::plane::Trim;
-use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Study};
 
 /// Axes in which a file's derivatives are given.
 #[derive(Clone, Copy, PartialEq)]
@@ -128,12 +128,12 @@ fn read_mass(block: &mut Block<'_>, units: UnitSystem, gravity: f64) -> Result<O
 }
 
 /// An aircraft from coefficients: everything is needed.
-pub(super) fn coefficient_study(
+pub(super) fn coefficient_model(
     file: &mut Block<'_>,
     units: UnitSystem,
     longitudinal: &mut Block<'_>,
     lateral: Option<&mut Block<'_>>,
-) -> Result<(Study, Particulars, Vec<String>), ContentError> {
+) -> Result<(AircraftModel, Particulars, Vec<String>), ContentError> {
     file.choice("axes", &[("stability", ())])?;
     let per_half_time = file.choice("rates", &RATES)?;
     let flight = read_flight(file, units)?;
@@ -208,8 +208,8 @@ pub(super) fn coefficient_study(
         altitude: Some(flight.condition.altitude),
         mach: Some(reference.mach()),
     };
-    let study = CoefficientStudy::new(airframe, reference, validity, coefficients);
-    Ok((Study::Coefficients(study), particulars, notes))
+    let aircraft_model = CoefficientModel::new(airframe, reference, validity, coefficients);
+    Ok((AircraftModel::Coefficients(aircraft_model), particulars, notes))
 }
 
 /// C_L must carry the weight: W cos γ₀/(q̄S) to 5 %, room for the source's rounding.
@@ -284,12 +284,12 @@ fn read_fields<T: 'static>(
 }
 
 /// An aircraft from dimensional derivatives: the airframe is only for the product of inertia and for drawing.
-pub(super) fn derivative_study(
+pub(super) fn derivative_model(
     file: &mut Block<'_>,
     units: UnitSystem,
     longitudinal: &mut Block<'_>,
     lateral: Option<&mut Block<'_>>,
-) -> Result<(Study, Particulars, Vec<String>), ContentError> {
+) -> Result<(AircraftModel, Particulars, Vec<String>), ContentError> {
     let axes = file.choice("axes", &AXES)?;
     let flight = read_flight(file, units)?;
     let FlightCondition { altitude, speed, gamma0 } = flight.condition;
@@ -336,8 +336,8 @@ pub(super) fn derivative_study(
         .transpose()?;
     let trim = Trim { speed, alpha0, gamma0, gravity: flight.gravity };
     let inertia = inertia.zip(iy).map(|(PlanarInertia { ix, iz, ixz }, iy)| Inertia { ix, iy, iz, ixz });
-    let study = DerivativeStudy { trim, inertia, longitudinal: Some(d), lateral };
-    Ok((Study::Derivatives(study), particulars, notes))
+    let aircraft_model = DerivativeModel { trim, inertia, longitudinal: Some(d), lateral };
+    Ok((AircraftModel::Derivatives(aircraft_model), particulars, notes))
 }
 
 /// Ix, Iz and Ixz with their axes: all or none.

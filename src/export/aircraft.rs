@@ -39,7 +39,7 @@ pub struct AircraftReport {
 impl AircraftReport {
     /// The report of an aircraft.
     pub fn of(aircraft: &Aircraft) -> Self {
-        let models = aircraft.study.models().unwrap_or_default();
+        let models = aircraft.aircraft_model.models().unwrap_or_default();
         Self {
             key: aircraft.key.clone(),
             name: aircraft.name.clone(),

@@ -7,8 +7,8 @@ use thiserror::Error;
 
 use crate::content::{Aircraft, ContentError, FILES, MatrixFormat};
 use crate::flight::AnalysisError;
+use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::study::StudyError;
 use crate::key::Keyed;
 use crate::number::significant;
 use crate::scenario::{Parameter, Scenario, ValueError, parameters};
@@ -106,7 +106,7 @@ pub enum ExportError {
     },
     /// There is no such steady flight.
     #[error(transparent)]
-    Study(#[from] StudyError),
+    AircraftModel(#[from] ModelError),
     /// The analysis failed.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),

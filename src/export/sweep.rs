@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 use super::aircraft::AircraftReport;
 use super::report::Units;
 use super::subject::{ExportError, checked, find_parameter, set_on};
+use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::axes::StabilityAxes;
-use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::edits::EditedModel;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
-use crate::flight::aircraft::study::StudyError;
 use crate::flight::modes::mode::{Mode, modes};
 use crate::flight::modes::stability::{Stability, dynamic_stability};
 use crate::flight::verdicts::static_stability::plane_static_stability;
@@ -211,7 +211,7 @@ impl Sweep {
                 return SweepPoint { value, longitudinal: None, lateral: None, error };
             }
         };
-        let is_of = |problem: &&StudyError| problem.plane().is_none_or(|plane| self.planes.contains(&plane));
+        let is_of = |problem: &&ModelError| problem.plane().is_none_or(|plane| self.planes.contains(&plane));
         let mut error = models.problems.iter().find(is_of).map(ToString::to_string);
         let mut of = |plane: Plane| {
             let model = models.planes[plane].as_ref().filter(|_| self.planes.contains(&plane))?;
@@ -328,7 +328,7 @@ fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) 
     Plane::ALL.into_iter().filter(is_moved).collect()
 }
 
-fn sweep_plane(model: &PlaneModel, edited: &Edited) -> Result<SweepPlane, String> {
+fn sweep_plane(model: &PlaneModel, edited: &EditedModel) -> Result<SweepPlane, String> {
     let modes = modes(model).map_err(|error| error.to_string())?;
     let of_static =
         plane_static_stability(&StabilityAxes::of(model), edited.derivatives_behind(model.plane).as_ref());

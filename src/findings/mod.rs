@@ -25,8 +25,8 @@ use std::rc::Rc;
 
 use thiserror::Error;
 
+use crate::flight::aircraft::aircraft_model::AircraftModel;
 use crate::flight::aircraft::coefficients::Coefficients;
-use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::{GravityCheck, Motion, PlaneAnalysis, motion};
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
@@ -34,7 +34,7 @@ use crate::flight::modes::stability::Stability;
 use crate::flight::motion::experiment::fly;
 use crate::flight::motion::flight_path::FlightPath;
 use crate::flight::motion::frequency_response::frequency_range;
-use crate::flight::motion::modal_sum::{ModalSum, SplitError};
+use crate::flight::motion::modal_decomposition::{ModalDecomposition, SplitError};
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::six_dof::SixDofError;
 use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
@@ -58,7 +58,7 @@ pub struct Findings {
     coefficients: OnceCell<Option<Coefficients>>,
     level_boundaries: OnceCell<Vec<Boundary>>,
     flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,
-    splits: OfOutputs<Result<ModalSum, SplitError>>,
+    splits: OfOutputs<Result<ModalDecomposition, SplitError>>,
     frequency: OfOutputs<FrequencyResponse>,
     metrics: OnceCell<Option<Metrics>>,
     time_to_see: OnceCell<Option<f64>>,
@@ -181,7 +181,7 @@ impl Findings {
     }
 
     /// An output of the motion split into the parts of the modes.
-    pub fn split(&self, output: Output) -> Option<&Result<ModalSum, SplitError>> {
+    pub fn split(&self, output: Output) -> Option<&Result<ModalDecomposition, SplitError>> {
         let split = || Some(self.motion()?.split(self.modes(), output));
         self.splits.get(self.index(output)?)?.get_or_init(split).as_ref()
     }
@@ -193,9 +193,9 @@ impl Findings {
 
     /// The coefficients as knobs and flight condition make them; `None` where the source has none or there is no such flight.
     pub fn coefficients(&self) -> Option<&Coefficients> {
-        let derived = || match &self.scenario.edited.study {
-            Study::Coefficients(study) => Some(study.derive().ok()?.coefficients),
-            Study::Derivatives(_) | Study::Matrices(_) => None,
+        let derived = || match &self.scenario.edited.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => Some(aircraft_model.derive().ok()?.coefficients),
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => None,
         };
         self.coefficients.get_or_init(derived).as_ref()
     }

@@ -4,7 +4,7 @@ use super::Findings;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::experiment::{Experiment, forced};
-use crate::flight::motion::modal_sum::modal_sum;
+use crate::flight::motion::modal_decomposition::modal_decomposition;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::{TimeGrid, respond};
 use crate::number::round_up;
@@ -93,7 +93,7 @@ impl Findings {
         Output::of(self.scenario.plane).iter().take(4).any(|output| {
             let row = output.row(model, &forced);
             let whole = largest(&row.of(&forced, &response).collect::<Vec<f64>>());
-            match modal_sum(modes, &row, &forced, &response) {
+            match modal_decomposition(modes, &row, &forced, &response) {
                 Ok(sum) => whole > 0.0 && largest(&sum.parts[index]) >= VISIBLE * whole,
                 Err(_) => whole > 0.0,
             }

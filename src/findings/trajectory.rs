@@ -4,9 +4,9 @@
 use nalgebra::{Vector2, Vector4};
 
 use super::Findings;
+use crate::flight::aircraft::aircraft_model::AircraftModel;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::states::{AILERON, Lateral, Longitudinal};
-use crate::flight::aircraft::study::Study;
 use crate::flight::analysis::{Motion, STANDARD_GRAVITY};
 use crate::flight::motion::flight_path::FlightPath;
 use crate::flight::motion::outputs::Output;
@@ -218,7 +218,7 @@ impl Trajectory<'_> {
             Plane::Longitudinal => [of(Channel::First), 0.0, 0.0],
             Plane::Lateral => {
                 // Bare matrices may count δa either way, which is told by what it does: L_δa > 0 rolls to the right.
-                let counted_left = matches!(self.scenario.edited.study, Study::Matrices(_))
+                let counted_left = matches!(self.scenario.edited.aircraft_model, AircraftModel::Matrices(_))
                     && self.motion.model.b[(Lateral::P.index(), AILERON)] < 0.0;
                 let sense = if counted_left { -1.0 } else { 1.0 };
                 [0.0, sense * of(Channel::First), of(Channel::Second)]
@@ -229,11 +229,13 @@ impl Trajectory<'_> {
     /// In trim L = W cos γ₀, D from C_D and T = D + W sin γ₀; disturbed, the lift follows the load factor, D ≈ D₀ (1 + 2u/V),
     /// and the thrust stays, along the steady flight as the trim has it.
     fn forces(&self, pose: &Pose, load_change: f64, u: f64) -> Option<[[f64; 3]; 4]> {
-        let Study::Coefficients(study) = &self.scenario.edited.study else { return None };
-        let derived = study.derive().ok()?;
+        let AircraftModel::Coefficients(aircraft_model) = &self.scenario.edited.aircraft_model else {
+            return None;
+        };
+        let derived = aircraft_model.derive().ok()?;
         let c = derived.coefficients.longitudinal;
         let trim = &self.motion.model.trim;
-        let weight = derived.airframe.mass / study.reference.mass * trim.gravity / STANDARD_GRAVITY;
+        let weight = derived.airframe.mass / aircraft_model.reference.mass * trim.gravity / STANDARD_GRAVITY;
         let (sin_climb, cos_climb) = trim.gamma0.sin_cos();
         if c.cl <= 0.0 {
             return None;
@@ -256,12 +258,12 @@ impl Trajectory<'_> {
 
     /// Angle of attack of the fuselage beyond the α₀ of the model's axes \[rad\]: of stability axes all of it.
     fn fuselage_incidence(&self) -> f64 {
-        match &self.scenario.edited.study {
-            Study::Coefficients(study) => {
-                let change = study.derive().map_or(0.0, |derived| derived.flight.alpha_change);
-                study.reference.alpha0 + change
+        match &self.scenario.edited.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => {
+                let change = aircraft_model.derive().map_or(0.0, |derived| derived.flight.alpha_change);
+                aircraft_model.reference.alpha0 + change
             }
-            Study::Derivatives(_) | Study::Matrices(_) => 0.0,
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => 0.0,
         }
     }
 }

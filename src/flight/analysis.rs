@@ -2,20 +2,20 @@
 
 use thiserror::Error;
 
+use super::aircraft::aircraft_model::{AircraftModel, ModelError, Models, TrimmedModel};
 use super::aircraft::axes::StabilityAxes;
-use super::aircraft::edits::{Edited, Offsets};
+use super::aircraft::edits::{EditedModel, Offsets};
 use super::aircraft::plane::{ByPlane, Plane, PlaneModel};
 use super::aircraft::states::Longitudinal::{Theta, U};
 use super::aircraft::states::entry;
-use super::aircraft::study::{Derived, Models, Study, StudyError};
 use super::modes::approximations::{Approximation, DownwashLag, approximations};
 use super::modes::eigen::EigenError;
 use super::modes::mode::{Mode, modes};
 use super::motion::course::is_small;
 use super::motion::experiment::{Experiment, forced};
-use super::motion::modal_sum::{ModalSum, SplitError, modal_sum};
+use super::motion::modal_decomposition::{ModalDecomposition, SplitError, modal_decomposition};
 use super::motion::outputs::Output;
-use super::motion::response::{Forced, Response, respond};
+use super::motion::response::{DrivenSystem, Response, respond};
 use super::verdicts::handling_qualities::{Verdict, handling_qualities};
 use super::verdicts::static_stability::{
     PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,
@@ -79,7 +79,7 @@ pub struct Motion {
     /// What it is put through.
     pub experiment: Experiment,
     /// Its equations with all that drives them.
-    pub forced: Forced,
+    pub forced: DrivenSystem,
     /// The states.
     pub response: Response,
     /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
@@ -99,8 +99,8 @@ impl Motion {
     }
 
     /// The same split into the parts of the modes of this model.
-    pub fn split(&self, modes: &[Mode], output: Output) -> Result<ModalSum, SplitError> {
-        modal_sum(modes, &output.row(&self.model, &self.forced), &self.forced, &self.response)
+    pub fn split(&self, modes: &[Mode], output: Output) -> Result<ModalDecomposition, SplitError> {
+        modal_decomposition(modes, &output.row(&self.model, &self.forced), &self.forced, &self.response)
     }
 }
 
@@ -121,7 +121,7 @@ pub struct Analysis {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AnalysisError {
     /// There is no such aircraft or no such steady flight.
-    Study(#[from] StudyError),
+    AircraftModel(#[from] ModelError),
     /// The eigenvalues could not be had.
     Eigen(#[from] EigenError),
     /// The trim speed is not a positive number.
@@ -131,7 +131,7 @@ pub enum AnalysisError {
 /// Analyses one aircraft in one experiment. Pure and total: equal arguments give equal answers; what can't be analysed is an
 /// error with a sentence, and leaves the other plane alone.
 pub fn analyse(
-    edited: &Edited,
+    edited: &EditedModel,
     task: Option<Task>,
     experiment: &Experiment,
 ) -> Result<Analysis, AnalysisError> {
@@ -155,7 +155,7 @@ pub fn analyse(
 
 fn analyse_plane(
     model: PlaneModel,
-    edited: &Edited,
+    edited: &EditedModel,
     task: Option<Task>,
 ) -> Result<PlaneAnalysis, AnalysisError> {
     let speed = model.trim.speed;
@@ -178,7 +178,7 @@ fn analyse_plane(
 }
 
 /// The motion of an analysed plane in an experiment.
-pub fn motion(edited: &Edited, disturbed: &PlaneAnalysis, experiment: &Experiment) -> Motion {
+pub fn motion(edited: &EditedModel, disturbed: &PlaneAnalysis, experiment: &Experiment) -> Motion {
     let PlaneAnalysis { model, modes, .. } = disturbed;
     let forced = forced(edited, model, &experiment.inputs, experiment.start, modes);
     let response = respond(&forced, experiment.grid);
@@ -198,15 +198,15 @@ fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
 }
 
 /// Margins of an aircraft given by coefficients, unless its derivatives have been edited apart from them.
-fn margins(edited: &Edited) -> Option<Margins> {
-    let Study::Coefficients(study) = &edited.study else { return None };
+fn margins(edited: &EditedModel) -> Option<Margins> {
+    let AircraftModel::Coefficients(aircraft_model) = &edited.aircraft_model else { return None };
     let untouched = Offsets::default();
     if edited.offsets.longitudinal != untouched.longitudinal
         || edited.offsets.matrices.longitudinal != untouched.matrices.longitudinal
     {
         return None;
     }
-    let Derived { flight, airframe, coefficients, .. } = study.derive().ok()?;
+    let TrimmedModel { flight, airframe, coefficients, .. } = aircraft_model.derive().ok()?;
     let c = coefficients.longitudinal;
     let static_margin = static_margin(c.cm_alpha, c.cl_alpha)?;
     let manoeuvre_margin =

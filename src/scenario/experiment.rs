@@ -1,8 +1,8 @@
 //! The experiment that a scenario describes, in the terms of the core.
 
 use super::{Scenario, Source};
+use crate::flight::aircraft::aircraft_model::AircraftModel;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::study::Study;
 use crate::flight::motion::inputs::Input;
 use crate::flight::motion::response::TimeGrid;
 use crate::flight::motion::turbulence::{Dryden, Severity};
@@ -39,9 +39,11 @@ impl Scenario {
     /// Air of Dryden's form, with the chosen σ_w and the lengths and proportions of the altitude.
     fn turbulence(&self, count: usize) -> Vec<(Channel, Input)> {
         let sizes = &self.disturbance.sizes;
-        let (speed, altitude) = match &self.edited.study {
-            Study::Coefficients(study) => (study.condition.speed, study.condition.altitude),
-            Study::Derivatives(_) | Study::Matrices(_) => {
+        let (speed, altitude) = match &self.edited.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => {
+                (aircraft_model.condition.speed, aircraft_model.condition.altitude)
+            }
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => {
                 (self.aircraft.speed(), self.aircraft.particulars.altitude.unwrap_or(0.0))
             }
         };

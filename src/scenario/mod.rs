@@ -11,7 +11,7 @@ pub mod view;
 use std::sync::Arc;
 
 use crate::content::Aircraft;
-use crate::flight::aircraft::edits::{Edited, Offsets};
+use crate::flight::aircraft::edits::{EditedModel, Offsets};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::verdicts::task::Task;
 use crate::flight::{Analysis, AnalysisError, analyse};
@@ -28,7 +28,7 @@ pub struct Scenario {
     /// The aircraft as its file has it: the reference of every slider.
     pub aircraft: Arc<Aircraft>,
     /// The aircraft as edited, SI.
-    pub edited: Edited,
+    pub edited: EditedModel,
     /// The plane of motion that is studied.
     pub plane: Plane,
     /// What disturbs it, and for how long it is watched.
@@ -51,7 +51,7 @@ impl Scenario {
     pub fn new(aircraft: Arc<Aircraft>) -> Self {
         let has_longitudinal = aircraft.plane_notes.longitudinal.is_some();
         Self {
-            edited: Edited::new(aircraft.study.clone()),
+            edited: EditedModel::new(aircraft.aircraft_model.clone()),
             aircraft,
             plane: if has_longitudinal { Plane::Longitudinal } else { Plane::Lateral },
             disturbance: Disturbance::default(),
@@ -74,7 +74,8 @@ impl Scenario {
 
     /// Whether anything of the aircraft differs from the reference.
     pub fn is_edited(&self) -> bool {
-        self.edited.study != self.aircraft.study || self.edited.offsets != Offsets::default()
+        self.edited.aircraft_model != self.aircraft.aircraft_model
+            || self.edited.offsets != Offsets::default()
     }
 
     /// The task for which handling qualities are judged, where the aircraft's file names one.

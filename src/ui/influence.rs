@@ -76,7 +76,7 @@ fn change(mode: &Mode, sensitivity: &Sensitivity, by: f64) -> String {
 
 /// What a person does with the list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Wish {
+pub struct ListClick {
     /// Key of the slider that is pointed at.
     pub touched: Option<&'static str>,
     /// Key of the slider that is asked for.
@@ -91,7 +91,7 @@ pub struct Strongest {
 
 impl Strongest {
     /// Draws the list, each derivative with a bar a mode. The longest bar is as long as there is room.
-    pub fn show(&mut self, ui: &mut Ui, findings: &Findings, page: Page) -> Wish {
+    pub fn show(&mut self, ui: &mut Ui, findings: &Findings, page: Page) -> ListClick {
         let (rows, modes) = (findings.sensitivities(page), findings.modes());
         let find = |key: &str| rows.iter().find(|row| row.key == key);
         let is_dragged = ui.input(|input| input.pointer.any_down());
@@ -101,7 +101,7 @@ impl Strongest {
         let listed: Vec<_> = self.keys.iter().filter_map(|key| find(key)).collect();
         let strengths = listed.iter().flat_map(|row| row.strengths.iter().copied().flatten());
         let largest = strengths.fold(NOTHING, f64::max);
-        let mut wish = Wish::default();
+        let mut wish = ListClick::default();
         if listed.is_empty() {
             return wish;
         }

@@ -3,17 +3,17 @@
 use std::fmt::{Display, Formatter, Result};
 
 use super::mode;
+use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::atmosphere::AtmosphereError;
 use crate::flight::aircraft::coefficients::AirframeError;
 use crate::flight::aircraft::condition::ConditionError;
 use crate::flight::aircraft::knobs::{Knob, KnobError};
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::study::StudyError;
 use crate::flight::analysis::AnalysisError;
 use crate::flight::modes::eigen::EigenError;
 use crate::flight::modes::inverse::InverseError;
 use crate::flight::motion::flight_path::{Reason, Stop};
-use crate::flight::motion::modal_sum::SplitError;
+use crate::flight::motion::modal_decomposition::SplitError;
 use crate::flight::motion::six_dof::SixDofError;
 use crate::number::{fixed, significant, trimmed};
 
@@ -113,7 +113,7 @@ impl Display for AirframeError {
     }
 }
 
-impl Display for StudyError {
+impl Display for ModelError {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match *self {
             Self::Condition(error) => error.fmt(f),
@@ -154,7 +154,7 @@ impl Display for EigenError {
 impl Display for AnalysisError {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match *self {
-            Self::Study(error) => error.fmt(f),
+            Self::AircraftModel(error) => error.fmt(f),
             Self::Eigen(error) => error.fmt(f),
             Self::TrimSpeed(speed) => {
                 write!(f, "the trim speed must be a positive number, not {} m/s", trimmed(speed, 4))
@@ -177,7 +177,7 @@ impl Display for InverseError {
 impl Display for SixDofError {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match *self {
-            Self::Study(error) => error.fmt(f),
+            Self::AircraftModel(error) => error.fmt(f),
             Self::Matrices => f.write_str(
                 "this aircraft is given by its matrices, which hold for small disturbances only: flight far from the trim \
                  needs coefficients or derivatives",

@@ -1,13 +1,13 @@
 //! The same trim and the same derivative: linearised by automatic differentiation, the flight is the linear model.
 
+use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, CoefficientModel};
 use eigenwing::flight::aircraft::coefficients::{LATERAL_COEFFICIENTS, LONGITUDINAL_COEFFICIENTS};
 use eigenwing::flight::aircraft::condition::FlightCondition;
 use eigenwing::flight::aircraft::derivatives::{LATERAL_DERIVATIVES, LONGITUDINAL_DERIVATIVES};
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::inertia::Inertia;
 use eigenwing::flight::aircraft::knobs::Knobs;
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::flight::aircraft::study::{CoefficientStudy, Study};
 use eigenwing::flight::motion::aerodynamics::Aerodynamics;
 use eigenwing::flight::motion::gusts::rate_columns;
 use eigenwing::flight::motion::six_dof::{SixDof, TRIM_RESIDUAL};
@@ -15,16 +15,19 @@ use nalgebra::{Matrix4, SMatrix, Vector4};
 
 use super::{edited, gust_column, ready, studies};
 
-fn from_coefficients() -> Vec<(String, CoefficientStudy)> {
-    let of = |(key, study)| match study {
-        Study::Coefficients(study) => Some((key, study)),
+fn from_coefficients() -> Vec<(String, CoefficientModel)> {
+    let of = |(key, aircraft_model)| match aircraft_model {
+        AircraftModel::Coefficients(aircraft_model) => Some((key, aircraft_model)),
         _ => None,
     };
     studies().into_iter().filter_map(of).collect()
 }
 
-fn from_derivatives() -> Vec<(String, Study)> {
-    studies().into_iter().filter(|(_, study)| matches!(study, Study::Derivatives(_))).collect()
+fn from_derivatives() -> Vec<(String, AircraftModel)> {
+    studies()
+        .into_iter()
+        .filter(|(_, aircraft_model)| matches!(aircraft_model, AircraftModel::Derivatives(_)))
+        .collect()
 }
 
 /// To 1e-8 of each entry, or 1e-12 of the largest in its row: automatic differentiation only rounds, some 10 ε of the
@@ -44,7 +47,7 @@ fn assert_same<const R: usize, const C: usize>(
     }
 }
 
-fn assert_linear_model_is_the_derivative(key: &str, edited: &Edited) {
+fn assert_linear_model_is_the_derivative(key: &str, edited: &EditedModel) {
     let flight = ready(edited);
     let (jacobian, models) = (flight.jacobian(), edited.models().expect("it flies"));
     assert!(flight.steady.residual <= TRIM_RESIDUAL, "{key}");
@@ -80,9 +83,9 @@ fn assert_linear_model_is_the_derivative(key: &str, edited: &Edited) {
 #[test]
 fn the_linear_model_of_every_aircraft_is_the_derivative_of_its_flight() {
     let mut compared = 0;
-    for (key, study) in studies() {
-        if !matches!(study, Study::Matrices(_)) {
-            assert_linear_model_is_the_derivative(&key, &Edited::new(study));
+    for (key, aircraft_model) in studies() {
+        if !matches!(aircraft_model, AircraftModel::Matrices(_)) {
+            assert_linear_model_is_the_derivative(&key, &EditedModel::new(aircraft_model));
             compared += 1;
         }
     }
@@ -90,32 +93,33 @@ fn the_linear_model_of_every_aircraft_is_the_derivative_of_its_flight() {
 }
 
 /// Every coefficient different from zero, another engine, the knobs turned, another flight condition.
-fn elsewhere(mut study: CoefficientStudy) -> Edited {
+fn elsewhere(mut aircraft_model: CoefficientModel) -> EditedModel {
     for (k, field) in LONGITUDINAL_COEFFICIENTS.iter().enumerate() {
-        *(field.of)(&mut study.coefficients.longitudinal) += 0.003 * k as f64;
+        *(field.of)(&mut aircraft_model.coefficients.longitudinal) += 0.003 * k as f64;
     }
-    if let Some(lateral) = &mut study.coefficients.lateral {
+    if let Some(lateral) = &mut aircraft_model.coefficients.lateral {
         for (k, field) in LATERAL_COEFFICIENTS.iter().enumerate() {
             *(field.of)(lateral) += 0.002 * k as f64;
         }
     }
-    study.airframe.thrust_exponent = -1.0;
-    study.airframe.thrust_offset = 0.4;
-    study.knobs =
+    aircraft_model.airframe.thrust_exponent = -1.0;
+    aircraft_model.airframe.thrust_offset = 0.4;
+    aircraft_model.knobs =
         Knobs { mass_ratio: 1.03, ix_ratio: 1.2, iz_ratio: 1.1, cg_shift: 0.02, ..Knobs::default() };
-    let FlightCondition { altitude, speed, .. } = study.condition;
-    study.condition = FlightCondition { altitude: altitude + 500.0, speed: speed * 1.02, gamma0: -0.06 };
-    Edited::new(Study::Coefficients(study))
+    let FlightCondition { altitude, speed, .. } = aircraft_model.condition;
+    aircraft_model.condition =
+        FlightCondition { altitude: altitude + 500.0, speed: speed * 1.02, gamma0: -0.06 };
+    EditedModel::new(AircraftModel::Coefficients(aircraft_model))
 }
 
 #[test]
 fn it_stays_so_with_other_coefficients_knobs_and_condition() {
-    for (key, study) in from_coefficients() {
-        assert_linear_model_is_the_derivative(&key, &elsewhere(study));
+    for (key, aircraft_model) in from_coefficients() {
+        assert_linear_model_is_the_derivative(&key, &elsewhere(aircraft_model));
     }
 }
 
-fn with_offsets(mut edited: Edited) -> Edited {
+fn with_offsets(mut edited: EditedModel) -> EditedModel {
     let offsets = &mut edited.offsets;
     for (k, row) in LONGITUDINAL_DERIVATIVES.iter().enumerate() {
         *(row.field.of)(&mut offsets.longitudinal) = 0.01 * (k as f64 - 5.0);
@@ -134,18 +138,18 @@ fn with_offsets(mut edited: Edited) -> Edited {
 /// All sixteen entries of A, kinematic rows included.
 #[test]
 fn it_stays_so_with_offsets_on_derivatives_and_matrices() {
-    for (key, study) in from_coefficients() {
-        assert_linear_model_is_the_derivative(&key, &with_offsets(elsewhere(study)));
+    for (key, aircraft_model) in from_coefficients() {
+        assert_linear_model_is_the_derivative(&key, &with_offsets(elsewhere(aircraft_model)));
     }
-    for (key, study) in from_derivatives() {
-        assert_linear_model_is_the_derivative(&key, &with_offsets(Edited::new(study)));
+    for (key, aircraft_model) in from_derivatives() {
+        assert_linear_model_is_the_derivative(&key, &with_offsets(EditedModel::new(aircraft_model)));
     }
 }
 
 #[test]
 fn the_trim_is_solved_and_is_where_the_linear_model_has_it() {
-    for (key, study) in studies() {
-        let Ok(flight) = SixDof::new(&Edited::new(study)) else { continue };
+    for (key, aircraft_model) in studies() {
+        let Ok(flight) = SixDof::new(&EditedModel::new(aircraft_model)) else { continue };
         let steady = flight.steady;
         assert!(steady.residual <= TRIM_RESIDUAL, "{key}: {}", steady.residual);
         // 1e-10 m/s² is 1e-11 of g, and lift per radian is several g
@@ -165,9 +169,11 @@ fn the_trim_is_solved_and_is_where_the_linear_model_has_it() {
 #[test]
 fn thrust_in_a_climb_is_drag_and_a_share_of_the_weight() {
     let mut edited = edited("navion");
-    let Study::Coefficients(study) = &mut edited.study else { panic!("it starts from coefficients") };
-    study.condition.gamma0 = 0.05;
-    let derived = study.derive().expect("it flies");
+    let AircraftModel::Coefficients(aircraft_model) = &mut edited.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.condition.gamma0 = 0.05;
+    let derived = aircraft_model.derive().expect("it flies");
     let c = derived.coefficients.longitudinal;
     // T/m = q̄S (C_D + C_L tan γ₀)/m
     let q_s = derived.flight.dynamic_pressure * derived.airframe.s / derived.airframe.mass;
@@ -179,8 +185,8 @@ fn thrust_in_a_climb_is_drag_and_a_share_of_the_weight() {
 /// The source's C_L is rounded, the Navion's 0.41 for 0.406: what it leaves of the weight is small.
 #[test]
 fn what_the_sources_rounding_leaves_of_the_weight_is_small() {
-    for (key, study) in from_coefficients() {
-        let flight = ready(&Edited::new(Study::Coefficients(study)));
+    for (key, aircraft_model) in from_coefficients() {
+        let flight = ready(&EditedModel::new(AircraftModel::Coefficients(aircraft_model)));
         let Aerodynamics::Coefficients(model) = &flight.aerodynamics else { panic!("{key}") };
         let [x, z] = model.remainder();
         assert!(x.hypot(z) < 0.015 * flight.trim.gravity, "{key}: {x}, {z}");
@@ -190,18 +196,21 @@ fn what_the_sources_rounding_leaves_of_the_weight_is_small() {
 /// Climb, thrust line, propeller and Mach terms, one at a time.
 #[test]
 fn climb_thrust_line_propeller_and_mach_terms_have_their_derivatives() {
-    for (key, study) in from_coefficients() {
+    for (key, aircraft_model) in from_coefficients() {
         for (gamma0, exponent, offset) in
             [(0.2, 0.0, 0.0), (-0.1, -1.0, 0.0), (0.1, -1.0, 0.8), (0.0, 0.5, -0.5)]
         {
-            let mut study = study.clone();
-            study.condition.gamma0 = gamma0;
-            study.condition.speed *= 1.01;
-            study.airframe.thrust_exponent = exponent;
-            study.airframe.thrust_offset = offset;
-            let l = &mut study.coefficients.longitudinal;
+            let mut aircraft_model = aircraft_model.clone();
+            aircraft_model.condition.gamma0 = gamma0;
+            aircraft_model.condition.speed *= 1.01;
+            aircraft_model.airframe.thrust_exponent = exponent;
+            aircraft_model.airframe.thrust_offset = offset;
+            let l = &mut aircraft_model.coefficients.longitudinal;
             (l.cl_m, l.cd_m, l.cm_m, l.cd_de, l.cl_alphadot) = (0.2, 0.05, -0.1, 0.03, 1.5);
-            assert_linear_model_is_the_derivative(&key, &Edited::new(Study::Coefficients(study)));
+            assert_linear_model_is_the_derivative(
+                &key,
+                &EditedModel::new(AircraftModel::Coefficients(aircraft_model)),
+            );
         }
     }
 }
@@ -215,8 +224,10 @@ fn moments_of_inertia_are_those_of_the_source() {
         assert!((got / slug_ft2 - want).abs() < 1e-3, "{got} should be {want} slug ft²");
     }
     let mut heavier = edited("navion");
-    let Study::Coefficients(study) = &mut heavier.study else { panic!("it starts from coefficients") };
-    study.knobs.iy_ratio = 1.5;
+    let AircraftModel::Coefficients(aircraft_model) = &mut heavier.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.knobs.iy_ratio = 1.5;
     assert!((ready(&heavier).inertia.iy / slug_ft2 - 4500.0).abs() < 1e-3);
     assert_eq!(ready(&edited("c47")).inertia, Inertia { ix: 1.0, iy: 1.0, iz: 1.0, ixz: 0.0 });
 }

@@ -1,9 +1,9 @@
 //! How far a flight goes: through the vertical, to where its model ends, and whatever is done to it.
 
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
 use eigenwing::flight::aircraft::condition::FlightCondition;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::knobs::Knobs;
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::motion::aerodynamics::Controls;
 use eigenwing::flight::motion::flight_path::{Excitation, FlightPath, Reason, Stop};
 use eigenwing::flight::motion::response::TimeGrid;
@@ -17,9 +17,11 @@ use super::{Entry, GRID, edited, from_rest, off, ready, studies};
 #[test]
 fn a_trim_at_the_stall_or_at_the_end_of_the_mach_numbers_can_be_flown() {
     let mut edited = edited("navion");
-    let Study::Coefficients(study) = &mut edited.study else { panic!("it starts from coefficients") };
-    study.validity.cl_max = study.coefficients.longitudinal.cl;
-    study.validity.mach_max = study.reference.mach();
+    let AircraftModel::Coefficients(aircraft_model) = &mut edited.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.validity.cl_max = aircraft_model.coefficients.longitudinal.cl;
+    aircraft_model.validity.mach_max = aircraft_model.reference.mach();
     let path = ready(&edited).fly(&from_rest(), GRID);
     assert_eq!((path.stop, path.samples.len()), (None, 121));
 }
@@ -115,24 +117,32 @@ fn what_cannot_be_flown_says_so() {
     assert_eq!(SixDof::new(&edited("lesson")), Err(SixDofError::Matrices));
     assert!(SixDofError::Matrices.to_string().contains("small disturbances only"));
     let mut steep = edited("navion-nelson");
-    let Study::Derivatives(study) = &mut steep.study else { panic!("it starts from derivatives") };
-    study.trim.gamma0 = 1.55;
+    let AircraftModel::Derivatives(aircraft_model) = &mut steep.aircraft_model else {
+        panic!("it starts from derivatives")
+    };
+    aircraft_model.trim.gamma0 = 1.55;
     assert!(matches!(SixDof::new(&steep), Err(SixDofError::Trim { .. })));
     let mut heavy = edited("navion");
-    let Study::Coefficients(study) = &mut heavy.study else { panic!("it starts from coefficients") };
-    study.condition.speed = 20.0;
-    assert!(matches!(SixDof::new(&heavy), Err(SixDofError::Study(_))));
+    let AircraftModel::Coefficients(aircraft_model) = &mut heavy.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.condition.speed = 20.0;
+    assert!(matches!(SixDof::new(&heavy), Err(SixDofError::AircraftModel(_))));
     let mut without = edited("a4d");
-    let Study::Derivatives(study) = &mut without.study else { panic!("it starts from derivatives") };
-    study.inertia = None;
+    let AircraftModel::Derivatives(aircraft_model) = &mut without.aircraft_model else {
+        panic!("it starts from derivatives")
+    };
+    aircraft_model.inertia = None;
     assert_eq!(SixDof::new(&without), Err(SixDofError::NoInertia));
 }
 
 #[test]
 fn without_lateral_data_it_flies_in_its_plane_and_not_out_of_it() {
     let mut flat = edited("navion");
-    let Study::Coefficients(study) = &mut flat.study else { panic!("it starts from coefficients") };
-    study.coefficients.lateral = None;
+    let AircraftModel::Coefficients(aircraft_model) = &mut flat.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.coefficients.lateral = None;
     let flight = ready(&flat);
     assert_eq!(Entry::Elevator.fly(&flight, -0.01, GRID).stop, None);
     for entry in [Entry::Aileron, Entry::Rudder, Entry::SideWind] {
@@ -194,12 +204,12 @@ proptest! {
         from in prop::array::uniform8(-1.0..1.0_f64),
     ) {
         let all = studies();
-        let mut edited = Edited::new(all[which % all.len()].1.clone());
-        if let Study::Coefficients(study) = &mut edited.study {
+        let mut edited = EditedModel::new(all[which % all.len()].1.clone());
+        if let AircraftModel::Coefficients(aircraft_model) = &mut edited.aircraft_model {
             let [mass_ratio, ix_ratio, iy_ratio, iz_ratio] = knobs;
-            study.knobs = Knobs { mass_ratio, ix_ratio, iy_ratio, iz_ratio, cg_shift, ..Knobs::default() };
-            let speed = study.condition.speed * speed;
-            study.condition = FlightCondition { altitude, speed, gamma0 };
+            aircraft_model.knobs = Knobs { mass_ratio, ix_ratio, iy_ratio, iz_ratio, cg_shift, ..Knobs::default() };
+            let speed = aircraft_model.condition.speed * speed;
+            aircraft_model.condition = FlightCondition { altitude, speed, gamma0 };
         }
         for (k, entry) in entries.into_iter().enumerate() {
             edited.offsets.matrices.longitudinal.a[k] = gain * entry;

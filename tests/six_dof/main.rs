@@ -8,9 +8,9 @@ mod wind;
 use std::sync::LazyLock;
 
 use eigenwing::content::embedded_aircraft;
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
-use eigenwing::flight::aircraft::study::Study;
 use eigenwing::flight::motion::aerodynamics::Controls;
 use eigenwing::flight::motion::flight_path::{Excitation, FlightPath};
 use eigenwing::flight::motion::gusts::air_across;
@@ -18,17 +18,18 @@ use eigenwing::flight::motion::response::TimeGrid;
 use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 use nalgebra::Vector4;
 
-fn studies() -> Vec<(String, Study)> {
-    static READ: LazyLock<Vec<(String, Study)>> =
-        LazyLock::new(|| embedded_aircraft().0.into_iter().map(|one| (one.key, one.study)).collect());
+fn studies() -> Vec<(String, AircraftModel)> {
+    static READ: LazyLock<Vec<(String, AircraftModel)>> = LazyLock::new(|| {
+        embedded_aircraft().0.into_iter().map(|one| (one.key, one.aircraft_model)).collect()
+    });
     READ.clone()
 }
 
-fn edited(key: &str) -> Edited {
-    Edited::new(studies().into_iter().find(|(name, _)| name == key).expect("the aircraft ships").1)
+fn edited(key: &str) -> EditedModel {
+    EditedModel::new(studies().into_iter().find(|(name, _)| name == key).expect("the aircraft ships").1)
 }
 
-fn ready(edited: &Edited) -> SixDof {
+fn ready(edited: &EditedModel) -> SixDof {
     SixDof::new(edited).expect("it flies")
 }
 

@@ -1,10 +1,10 @@
 //! The same responses as disturbances get small.
 
-use eigenwing::flight::aircraft::edits::Edited;
+use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
 use eigenwing::flight::motion::flight_path::Sample;
 use eigenwing::flight::motion::inputs::Input;
-use eigenwing::flight::motion::response::{Forced, TimeGrid, respond};
+use eigenwing::flight::motion::response::{DrivenSystem, TimeGrid, respond};
 use eigenwing::flight::motion::six_dof::SixDof;
 use nalgebra::Vector4;
 
@@ -12,7 +12,7 @@ use super::{Entry, GRID, edited, from_rest, gust_column, off, ready, studies};
 
 impl Entry {
     /// The linear model's response to the same.
-    fn respond(self, edited: &Edited, size: f64, grid: TimeGrid) -> Vec<Vector4<f64>> {
+    fn respond(self, edited: &EditedModel, size: f64, grid: TimeGrid) -> Vec<Vector4<f64>> {
         let models = edited.models().expect("it flies");
         let model = models.planes[self.plane()].as_ref().expect("both planes");
         let column = match self {
@@ -21,11 +21,11 @@ impl Entry {
             Self::RisingAir | Self::SideWind => gust_column(model),
         };
         let step = Input::Step { amplitude: size, start: 1.0 };
-        respond(&Forced::from_rest(model.a, column, step), grid).states
+        respond(&DrivenSystem::from_rest(model.a, column, step), grid).states
     }
 
     /// Largest difference between both in all eight states, velocities over V. The linear model leaves the other plane at rest.
-    fn difference(self, flight: &SixDof, edited: &Edited, size: f64) -> f64 {
+    fn difference(self, flight: &SixDof, edited: &EditedModel, size: f64) -> f64 {
         let path = self.fly(flight, size, GRID);
         assert_eq!(path.stop, None, "{self:?} of {size}");
         let linear = self.respond(edited, size, GRID);
@@ -87,8 +87,8 @@ fn left_and_right_are_alike() {
 
 #[test]
 fn nothing_done_nothing_happens() {
-    for (key, study) in studies() {
-        let Ok(flight) = SixDof::new(&Edited::new(study)) else { continue };
+    for (key, aircraft_model) in studies() {
+        let Ok(flight) = SixDof::new(&EditedModel::new(aircraft_model)) else { continue };
         let path = flight.fly(&from_rest(), TimeGrid { duration: 20.0, steps: 40 });
         assert_eq!((path.stop, path.samples.len()), (None, 41), "{key}");
         for (k, sample) in path.samples.iter().enumerate() {

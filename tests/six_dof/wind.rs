@@ -5,8 +5,8 @@ use eigenwing::flight::motion::response::TimeGrid;
 use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 
 use super::{Excitation, from_rest, off, ready, studies};
-use eigenwing::flight::aircraft::edits::Edited;
-use eigenwing::flight::aircraft::study::Study;
+use eigenwing::flight::aircraft::aircraft_model::AircraftModel;
+use eigenwing::flight::aircraft::edits::EditedModel;
 
 /// Everything that is felt of the air, and the attitude, to the integrator's 10⁻⁹ a step.
 fn assert_alike(key: &str, flight: &SixDof, wind: [f64; 3]) {
@@ -41,13 +41,13 @@ fn assert_alike(key: &str, flight: &SixDof, wind: [f64; 3]) {
 #[test]
 fn a_steady_wind_is_a_release_in_still_air_at_any_size() {
     let mut flown = 0;
-    for (key, study) in studies() {
-        let lateral = match &study {
-            Study::Coefficients(study) => study.coefficients.lateral.is_some(),
-            Study::Derivatives(study) => study.lateral.is_some(),
-            Study::Matrices(_) => continue,
+    for (key, aircraft_model) in studies() {
+        let lateral = match &aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => aircraft_model.coefficients.lateral.is_some(),
+            AircraftModel::Derivatives(aircraft_model) => aircraft_model.lateral.is_some(),
+            AircraftModel::Matrices(_) => continue,
         };
-        let flight = ready(&Edited::new(study));
+        let flight = ready(&EditedModel::new(aircraft_model));
         let v = flight.trim.speed;
         for share in [0.01, 0.03] {
             assert_alike(&key, &flight, [-share * v, 0.0, 0.0]);
@@ -65,8 +65,10 @@ fn a_steady_wind_is_a_release_in_still_air_at_any_size() {
 #[test]
 fn so_does_a_strong_wind_with_lift_by_the_rate_of_the_angle_of_attack() {
     let mut navion = super::edited("navion");
-    let Study::Coefficients(study) = &mut navion.study else { panic!("it starts from coefficients") };
-    study.coefficients.longitudinal.cl_alphadot = 3.0;
+    let AircraftModel::Coefficients(aircraft_model) = &mut navion.aircraft_model else {
+        panic!("it starts from coefficients")
+    };
+    aircraft_model.coefficients.longitudinal.cl_alphadot = 3.0;
     let flight = ready(&navion);
     for wind in [[-15.0, 0.0, 0.0], [-20.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, -8.0, 2.0]] {
         assert_alike("navion", &flight, wind);

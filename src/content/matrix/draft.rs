@@ -6,9 +6,9 @@ use nalgebra::{Matrix4, Matrix4x2};
 use super::names::{self, INPUTS_EXPECTED, Input, Kind, STATES_EXPECTED, State};
 use crate::content::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
 use crate::content::units::UnitSystem;
+use crate::flight::aircraft::aircraft_model::{AircraftModel, MatrixModel};
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::aircraft::states::{Lateral, entry};
-use crate::flight::aircraft::study::{MatrixStudy, Study};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::number::significant;
 
@@ -192,16 +192,16 @@ impl Draft {
         self.check_kinematics(plane, &a)?;
         let model = PlaneModel { plane, a, b, trim };
         let doubts = if plane == Plane::Lateral { lateral_doubts(&model) } else { Vec::new() };
-        let mut models = MatrixStudy::default();
+        let mut models = MatrixModel::default();
         models[plane] = Some(model);
-        let study = Study::Matrices(models);
+        let aircraft_model = AircraftModel::Matrices(models);
         let line = self.find("A").map_or(1, |entry| entry.line);
-        let models = study.models().map_err(|problem| (line, problem.to_string()))?;
+        let models = aircraft_model.models().map_err(|problem| (line, problem.to_string()))?;
         if let Some(problem) = models.problems.first() {
             return Err((line, format!("A: {problem}")));
         }
         let name = self.text("name")?.map_or(file, |name| name.value);
-        Ok(Aircraft { notes: doubts, ..aircraft(file, name, plane, study, trim.speed) })
+        Ok(Aircraft { notes: doubts, ..aircraft(file, name, plane, aircraft_model, trim.speed) })
     }
 
     fn units(&self) -> Result<UnitSystem, Problem> {
@@ -372,7 +372,7 @@ fn lateral_doubts(model: &PlaneModel) -> Vec<String> {
     doubts
 }
 
-fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> Aircraft {
+fn aircraft(file: &str, name: &str, plane: Plane, aircraft_model: AircraftModel, speed: f64) -> Aircraft {
     let status_reason = "Bare matrices from a file: there are no published modes to compare with.".to_owned();
     let mut plane_notes = ByPlane::default();
     plane_notes[plane] = Some(PlaneNotes {
@@ -389,8 +389,8 @@ fn aircraft(file: &str, name: &str, plane: Plane, study: Study, speed: f64) -> A
         length_unit: LengthUnit::Metre,
         status: Status::Unverified,
         source: file.to_owned(),
-        baseline: Baseline::new(&study),
-        study,
+        baseline: Baseline::new(&aircraft_model),
+        aircraft_model,
         plane_notes,
         status_reason,
         particulars: Particulars { speed: Some(speed), ..Particulars::default() },

@@ -8,10 +8,10 @@
 
 use nalgebra::{Matrix4, Matrix4x2};
 
+use super::aircraft_model::{AircraftModel, DerivativeModel, ModelError, Models};
 use super::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use super::plane::{ByPlane, Plane};
 use super::real::{Real, Record};
-use super::study::{DerivativeStudy, Models, Study, StudyError};
 
 /// What a person has added to the derivatives and matrices that follow from a study; all zero at first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,9 +35,9 @@ pub struct MatrixOffsets {
 
 impl Offsets {
     /// Derivatives with their offsets.
-    pub fn on<T: Real>(&self, study: DerivativeStudy<T>) -> DerivativeStudy<T> {
-        let DerivativeStudy { trim, inertia, longitudinal, lateral } = study;
-        DerivativeStudy {
+    pub fn on<T: Real>(&self, aircraft_model: DerivativeModel<T>) -> DerivativeModel<T> {
+        let DerivativeModel { trim, inertia, longitudinal, lateral } = aircraft_model;
+        DerivativeModel {
             trim,
             inertia,
             longitudinal: longitudinal.map(|d| d.zip(&self.longitudinal, |x, offset: f64| x + offset)),
@@ -48,41 +48,41 @@ impl Offsets {
 
 /// A study and the offsets on what follows from it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Edited {
+pub struct EditedModel {
     /// Coefficients, knobs and flight condition, or whatever the source has.
-    pub study: Study,
+    pub aircraft_model: AircraftModel,
     /// Beyond it.
     pub offsets: Offsets,
 }
 
-impl Edited {
+impl EditedModel {
     /// A study as it is.
-    pub fn new(study: Study) -> Self {
-        Self { study, offsets: Offsets::default() }
+    pub fn new(aircraft_model: AircraftModel) -> Self {
+        Self { aircraft_model, offsets: Offsets::default() }
     }
 
     /// Dimensional derivatives with their offsets; `None` where the source has bare matrices.
-    pub fn derivatives(&self) -> Result<Option<DerivativeStudy>, StudyError> {
-        Ok(self.study.to_derivatives()?.map(|study| self.offsets.on(study)))
+    pub fn derivatives(&self) -> Result<Option<DerivativeModel>, ModelError> {
+        Ok(self.aircraft_model.to_derivatives()?.map(|aircraft_model| self.offsets.on(aircraft_model)))
     }
 
     /// Dimensional derivatives from which the matrices of a plane follow; `None` where the source has bare matrices, or
     /// entries have been edited apart from any derivative.
-    pub fn derivatives_behind(&self, plane: Plane) -> Option<DerivativeStudy> {
+    pub fn derivatives_behind(&self, plane: Plane) -> Option<DerivativeModel> {
         let untouched = self.offsets.matrices[plane] == MatrixOffsets::default();
         if untouched { self.derivatives().ok()? } else { None }
     }
 
     /// The models before the offsets on their matrices.
-    pub fn models_of_derivatives(&self) -> Result<Models, StudyError> {
+    pub fn models_of_derivatives(&self) -> Result<Models, ModelError> {
         match self.derivatives()? {
             Some(derivatives) => Ok(derivatives.models()),
-            None => self.study.models(),
+            None => self.aircraft_model.models(),
         }
     }
 
     /// The models of both planes.
-    pub fn models(&self) -> Result<Models, StudyError> {
+    pub fn models(&self) -> Result<Models, ModelError> {
         let mut models = self.models_of_derivatives()?;
         for model in models.planes.iter_mut().flatten() {
             let offsets = &self.offsets.matrices[model.plane];

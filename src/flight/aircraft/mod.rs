@@ -2,12 +2,13 @@
 //!
 //! ```text
 //! coefficients, knobs ──► condition (trim) ──► derivatives ──► plane: ẋ = A x + B δ
-//!        study: the three ways in which a source gives an aircraft, and the chain between them
+//!        aircraft_model: the three ways in which a source gives an aircraft, and the chain between them
 //!        edits: what a person adds to derivatives and matrices beyond them
 //! ```
 //!
 //! Every function of the chain takes any [`real::Real`]: with `f64` it gives A, with dual numbers ∂A/∂p exactly.
 
+pub mod aircraft_model;
 pub mod atmosphere;
 pub mod axes;
 pub mod coefficients;
@@ -19,4 +20,3 @@ pub mod knobs;
 pub mod plane;
 pub mod real;
 pub mod states;
-pub mod study;

@@ -11,12 +11,12 @@ use super::mode::Mode;
 use super::mode_name::ModeName;
 use super::quartic::polynomial;
 use super::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
+use crate::flight::aircraft::aircraft_model::DerivativeModel;
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::Lateral::{P, Phi, R, V};
 use crate::flight::aircraft::states::Longitudinal::{self, Q, Theta, U, W};
 use crate::flight::aircraft::states::entry;
-use crate::flight::aircraft::study::DerivativeStudy;
 use crate::key::keys;
 
 /// Which approximation.
@@ -181,10 +181,10 @@ pub struct DownwashLag {
 
 impl DownwashLag {
     /// That of an aircraft; none where only matrices are known.
-    pub fn of(derivatives: Option<&DerivativeStudy>) -> Self {
-        let lag = derivatives.and_then(|study| {
-            let d = study.longitudinal?;
-            Some(Self { z_wdot: d.z_wdot, m_wdot: d.m_wdot, alpha0: study.trim.alpha0 })
+    pub fn of(derivatives: Option<&DerivativeModel>) -> Self {
+        let lag = derivatives.and_then(|aircraft_model| {
+            let d = aircraft_model.longitudinal?;
+            Some(Self { z_wdot: d.z_wdot, m_wdot: d.m_wdot, alpha0: aircraft_model.trim.alpha0 })
         });
         lag.unwrap_or_default()
     }

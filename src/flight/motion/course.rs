@@ -6,7 +6,7 @@
 use nalgebra::Vector4;
 
 use super::outputs::OutputRow;
-use super::response::{Forced, Place, Step};
+use super::response::{DrivenSystem, Place, Step};
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::modes::mode::Mode;
 
@@ -24,7 +24,7 @@ const SEARCH: usize = 24;
 
 /// A linear motion at its nodes, up to where it is no small disturbance any more.
 pub struct Course<'a> {
-    forced: &'a Forced,
+    forced: &'a DrivenSystem,
     pieces: Vec<Vec<Node>>,
     /// Time from which it is no small disturbance \[s\], the end of the course then.
     pub small_until: Option<f64>,
@@ -58,7 +58,7 @@ impl Reading {
 
 impl<'a> Course<'a> {
     /// The motion from t = 0 to `end` \[s\], or to where it is no small disturbance; `modes` are those of the model.
-    pub fn new(model: &PlaneModel, forced: &'a Forced, modes: &[Mode], end: f64) -> Self {
+    pub fn new(model: &PlaneModel, forced: &'a DrivenSystem, modes: &[Mode], end: f64) -> Self {
         let start = Place { x: forced.start, path: forced.start_path };
         let first = Node { time: 0.0, place: start };
         let mut course = Self { forced, pieces: Vec::new(), small_until: None, is_cut: false };

@@ -6,11 +6,11 @@ use super::aerodynamics::Controls;
 use super::flight_path::{Excitation, FlightPath};
 use super::gusts::{air_across, air_along, gust, rate_columns};
 use super::inputs::Input;
-use super::modal_sum::single_mode;
+use super::modal_decomposition::single_mode;
 use super::path_rates::path_rates;
-use super::response::{Forced, Forcing, TimeGrid};
+use super::response::{DrivenSystem, Forcing, TimeGrid};
 use super::six_dof::{SixDof, SixDofError, Wind};
-use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::edits::EditedModel;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
 use crate::flight::modes::mode::Mode;
@@ -59,12 +59,12 @@ pub struct Experiment {
 
 /// The linear equations of a plane with what drives them; `modes` are those of the model, of which one may be the start.
 pub fn forced(
-    edited: &Edited,
+    edited: &EditedModel,
     model: &PlaneModel,
     inputs: &[(Channel, Input)],
     start: Start,
     modes: &[Mode],
-) -> Forced {
+) -> DrivenSystem {
     let (plane, alpha0) = (model.plane, model.trim.alpha0);
     let of_rate = || rate_columns(plane, edited.derivatives().ok().flatten().as_ref());
     let forcing = |(channel, input): &(Channel, Input)| {
@@ -77,7 +77,7 @@ pub fn forced(
         }
     };
     let (start, start_path) = initial(model, start, modes);
-    Forced {
+    DrivenSystem {
         a: model.a,
         path: path_rates(model),
         forcings: inputs.iter().map(forcing).collect(),
@@ -89,7 +89,7 @@ pub fn forced(
 /// The same experiment in nonlinear flight, all six degrees of freedom, from the aircraft's own trim. `model` and `modes` are of
 /// the linear model, in which the start is told.
 pub fn fly(
-    edited: &Edited,
+    edited: &EditedModel,
     model: &PlaneModel,
     modes: &[Mode],
     experiment: &Experiment,

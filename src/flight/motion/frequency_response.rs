@@ -3,7 +3,7 @@
 use nalgebra::{Complex, Matrix4, Vector2, Vector4};
 
 use super::outputs::OutputRow;
-use super::response::Forced;
+use super::response::DrivenSystem;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
@@ -33,7 +33,12 @@ pub struct Peak {
 /// G(jω) of the forcing with index `input`: c (jω − A)⁻¹ (b + jω ḃ) + d + jω ḋ, the path included.
 ///
 /// `None` at a pole on the imaginary axis, for ω = 0 with a path, or where there is no such input.
-pub fn transfer(forced: &Forced, row: &OutputRow, input: usize, frequency: f64) -> Option<Complex<f64>> {
+pub fn transfer(
+    forced: &DrivenSystem,
+    row: &OutputRow,
+    input: usize,
+    frequency: f64,
+) -> Option<Complex<f64>> {
     let forcing = forced.forcings.get(input)?;
     let &(d, of_rate) = row.inputs.get(input)?;
     let s = Complex::new(0.0, frequency);
@@ -60,7 +65,7 @@ pub fn frequency_range(modes: &[Mode]) -> (f64, f64) {
 
 /// The response at `count` frequencies evenly spread over a logarithmic axis; points where it is infinite are left out.
 pub fn frequency_response(
-    forced: &Forced,
+    forced: &DrivenSystem,
     row: &OutputRow,
     input: usize,
     (low, high): (f64, f64),
@@ -85,7 +90,7 @@ pub fn frequency_response(
 /// Local maxima of the gain, each with the oscillation whose natural frequency is nearest, found on the points and refined
 /// between them.
 pub fn peaks(
-    forced: &Forced,
+    forced: &DrivenSystem,
     row: &OutputRow,
     input: usize,
     points: &[FrequencyPoint],

@@ -34,10 +34,10 @@ use nalgebra::Vector4;
 
 use super::inputs::Input;
 use super::response::Forcing;
+use crate::flight::aircraft::aircraft_model::DerivativeModel;
 use crate::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use crate::flight::aircraft::states::Lateral;
-use crate::flight::aircraft::study::DerivativeStudy;
 
 /// The states that air moving along the flight path stands in for, u_g = 1 m/s forward. None in the lateral plane.
 pub fn air_along(plane: Plane, alpha0: f64) -> Vector4<f64> {
@@ -65,12 +65,16 @@ pub fn gust(model: &PlaneModel, air: Vector4<f64>, rate_column: Vector4<f64>, in
 /// Columns by which the rates of change of air along and across the flight path enter \[per m/s²\]: because nose and tail are in
 /// different air, and because Ẇ terms feel it. Zero where only matrices are known, since q and r stand there mixed with the
 /// kinematics.
-pub fn rate_columns(plane: Plane, derivatives: Option<&DerivativeStudy>) -> [Vector4<f64>; 2] {
+pub fn rate_columns(plane: Plane, derivatives: Option<&DerivativeModel>) -> [Vector4<f64>; 2] {
     let still = [Vector4::zeros(); 2];
-    let Some(study) = derivatives else { return still };
+    let Some(aircraft_model) = derivatives else { return still };
     let columns = match plane {
-        Plane::Longitudinal => study.longitudinal.as_ref().map(|d| longitudinal(d, &study.trim)),
-        Plane::Lateral => study.lateral.as_ref().map(|d| [Vector4::zeros(), sideways(d, &study.trim)]),
+        Plane::Longitudinal => {
+            aircraft_model.longitudinal.as_ref().map(|d| longitudinal(d, &aircraft_model.trim))
+        }
+        Plane::Lateral => {
+            aircraft_model.lateral.as_ref().map(|d| [Vector4::zeros(), sideways(d, &aircraft_model.trim)])
+        }
     };
     columns.filter(|columns| columns.iter().flatten().all(|x| x.is_finite())).unwrap_or(still)
 }

@@ -1,7 +1,7 @@
 //! Motion in time: what disturbs an aircraft, and how it answers, linearly and in six degrees of freedom.
 //!
 //! ```text
-//! inputs, gusts, turbulence ──► experiment ──┬──► response (linear, exact) ──► outputs, modal_sum, course, response_metrics
+//! inputs, gusts, turbulence ──► experiment ──┬──► response (linear, exact) ──► outputs, modal_decomposition, course, response_metrics
 //!                                            │                 frequency_response: the same over frequency
 //!                                            └──► six_dof ──► flight_path (rigid_body, aerodynamics, integrator)
 //! ```
@@ -14,7 +14,7 @@ pub mod frequency_response;
 pub mod gusts;
 pub mod inputs;
 pub mod integrator;
-pub mod modal_sum;
+pub mod modal_decomposition;
 pub mod outputs;
 pub mod path_rates;
 pub mod response;

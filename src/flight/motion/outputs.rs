@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Vector2, Vector4};
 
 use super::flight_path::{FlightPath, Sample};
-use super::response::{Forced, Response};
+use super::response::{DrivenSystem, Response};
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
 use crate::key::keys;
@@ -143,7 +143,7 @@ impl Output {
     }
 
     /// The output as a sum over states, path and inputs. An output of the other plane is zero.
-    pub fn row(self, model: &PlaneModel, forced: &Forced) -> OutputRow {
+    pub fn row(self, model: &PlaneModel, forced: &DrivenSystem) -> OutputRow {
         let trim = &model.trim;
         let (u0, w0, v) = (trim.u0(), trim.w0(), trim.speed);
         let mut row = OutputRow {
@@ -272,7 +272,7 @@ impl Output {
 
 impl OutputRow {
     /// The rate of a state, from its equation, times a factor.
-    fn add_rate(&mut self, forced: &Forced, state: usize, factor: f64) {
+    fn add_rate(&mut self, forced: &DrivenSystem, state: usize, factor: f64) {
         self.states += forced.a.row(state).transpose() * factor;
         for (input, forcing) in self.inputs.iter_mut().zip(&forced.forcings) {
             input.0 += forcing.column[state] * factor;
@@ -281,7 +281,7 @@ impl OutputRow {
     }
 
     /// For a flow angle: what is felt is the velocity relative to the air.
-    fn subtract_air(&mut self, forced: &Forced) {
+    fn subtract_air(&mut self, forced: &DrivenSystem) {
         for (input, forcing) in self.inputs.iter_mut().zip(&forced.forcings) {
             input.0 -= self.states.dot(&forcing.air);
         }
@@ -295,14 +295,18 @@ impl OutputRow {
     }
 
     /// Its values at the samples of a response to `forced`.
-    pub fn of<'a>(&'a self, forced: &'a Forced, response: &'a Response) -> impl Iterator<Item = f64> + 'a {
+    pub fn of<'a>(
+        &'a self,
+        forced: &'a DrivenSystem,
+        response: &'a Response,
+    ) -> impl Iterator<Item = f64> + 'a {
         response.states.iter().zip(&response.path).enumerate().map(move |(k, (x, path))| {
             self.states.dot(x) + self.path.dot(path) + self.direct(forced, k as f64 * response.dt)
         })
     }
 
     /// The part that the inputs make at once, without the aircraft having moved, at time t \[s\].
-    pub fn direct(&self, forced: &Forced, t: f64) -> f64 {
+    pub fn direct(&self, forced: &DrivenSystem, t: f64) -> f64 {
         let parts = self.inputs.iter().zip(&forced.forcings);
         parts
             .filter(|((d, of_rate), _)| *d != 0.0 || *of_rate != 0.0)

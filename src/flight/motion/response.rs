@@ -82,7 +82,7 @@ impl Forcing {
 
 /// Linear equations of motion with all that drives them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Forced {
+pub struct DrivenSystem {
     /// State matrix A.
     pub a: Matrix4<f64>,
     /// The path that follows.
@@ -95,7 +95,7 @@ pub struct Forced {
     pub start_path: Vector2<f64>,
 }
 
-impl Forced {
+impl DrivenSystem {
     /// Motion from rest under one input, without its path.
     pub fn from_rest(a: Matrix4<f64>, b: Vector4<f64>, input: Input) -> Self {
         Self {
@@ -125,7 +125,7 @@ pub struct Response {
 ///
 /// An edge of an input between samples is met exactly: the step is split there. A start that is not finite counts as rest, and
 /// the motion is cut at once.
-pub fn respond(forced: &Forced, grid: TimeGrid) -> Response {
+pub fn respond(forced: &DrivenSystem, grid: TimeGrid) -> Response {
     let steps = if grid.duration > 0.0 && grid.duration.is_finite() { grid.steps } else { 0 };
     let dt = if steps == 0 { 0.0 } else { grid.time(1) };
     let startable = forced.start.iter().chain(&forced.start_path).all(|x| x.abs() <= CUT_LIMIT);
@@ -224,7 +224,7 @@ const MOST_PARTS: f64 = 200.0;
 
 impl Step {
     /// Without an edge of any input inside.
-    pub fn over(forced: &Forced, length: f64) -> Self {
+    pub fn over(forced: &DrivenSystem, length: f64) -> Self {
         let transition = transition(forced, None, length);
         let gains = forced.forcings.iter().map(|forcing| {
             if forcing.input.is_constant_between_edges() {
@@ -243,7 +243,7 @@ impl Step {
     }
 
     /// From a place at time t.
-    pub fn advance(&self, forced: &Forced, from: &Place, t: f64) -> Place {
+    pub fn advance(&self, forced: &DrivenSystem, from: &Place, t: f64) -> Place {
         let mut to = Place {
             x: self.phi * from.x,
             path: self.path_of_states * from.x + self.path_of_path * from.path,
@@ -271,7 +271,7 @@ impl Place {
     }
 }
 
-fn smooth_gain(forced: &Forced, forcing: &Forcing, length: f64) -> Vec<(f64, Place, Place)> {
+fn smooth_gain(forced: &DrivenSystem, forcing: &Forcing, length: f64) -> Vec<(f64, Place, Place)> {
     let fastest = speed_of(&forced.a) + forcing.input.highest_frequency();
     // At least one; NaN makes one too, and the motion is then cut.
     let parts = (fastest * length / PART).ceil().clamp(1.0, MOST_PARTS).max(1.0);
@@ -306,7 +306,7 @@ fn speed_of(a: &Matrix4<f64>) -> f64 {
 type Block = SMatrix<f64, 7, 7>;
 
 /// exp of the block of states, path and, if there is one, a column, over a length of time.
-fn transition(forced: &Forced, column: Option<&Vector4<f64>>, length: f64) -> Block {
+fn transition(forced: &DrivenSystem, column: Option<&Vector4<f64>>, length: f64) -> Block {
     let mut block = Block::zeros();
     block.fixed_view_mut::<4, 4>(0, 0).copy_from(&forced.a);
     block.fixed_view_mut::<2, 4>(4, 0).copy_from(&forced.path.of_states);

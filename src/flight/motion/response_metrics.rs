@@ -3,9 +3,9 @@
 //! All are read off the exact motion (see [`super::course`]), so that neither the samples on screen nor the time shown changes them.
 
 use super::course::{Course, Reading};
-use super::modal_sum::{Reading as ModeReading, WORST_SPLIT};
+use super::modal_decomposition::{Reading as ModeReading, WORST_SPLIT};
 use super::outputs::{Output, OutputRow};
-use super::response::{Forced, steady_state};
+use super::response::{DrivenSystem, steady_state};
 use crate::flight::aircraft::plane::PlaneModel;
 use crate::flight::aircraft::states::Longitudinal;
 use crate::flight::modes::mode::Mode;
@@ -41,7 +41,7 @@ pub struct StepMetrics {
 pub fn step_metrics(
     model: &PlaneModel,
     modes: &[Mode],
-    forced: &Forced,
+    forced: &DrivenSystem,
     row: &OutputRow,
     start: f64,
     steady: f64,
@@ -184,7 +184,7 @@ fn largest(
 pub fn steady_output(
     modes: &[Mode],
     row: &OutputRow,
-    forced: &Forced,
+    forced: &DrivenSystem,
     input: usize,
     amplitude: f64,
 ) -> Option<f64> {
@@ -230,7 +230,12 @@ pub fn time_to_bank(course: &Course<'_>, bank: &OutputRow, start: f64) -> Option
 ///
 /// `height` is the row of [`Output::Height`]. `None` if there is no phugoid that oscillates and can be told from the other modes, or
 /// if it doesn't turn twice while the disturbance is small.
-pub fn phugoid_swing(model: &PlaneModel, modes: &[Mode], forced: &Forced, height: &OutputRow) -> Option<f64> {
+pub fn phugoid_swing(
+    model: &PlaneModel,
+    modes: &[Mode],
+    forced: &DrivenSystem,
+    height: &OutputRow,
+) -> Option<f64> {
     let phugoid = modes.iter().find(|mode| mode.naming.name == ModeName::Phugoid)?;
     if !modes.iter().all(|mode| mode.condition < WORST_SPLIT) {
         return None;
@@ -282,7 +287,7 @@ fn turning_value(
 pub fn control_anticipation(
     model: &PlaneModel,
     modes: &[Mode],
-    forced: &Forced,
+    forced: &DrivenSystem,
     elevator: usize,
 ) -> Option<f64> {
     let mode = modes.iter().find(|mode| mode.naming.name == ModeName::ShortPeriod)?;

@@ -1,7 +1,7 @@
 //! Nonlinear flight in six degrees of freedom about a trim that it solves itself.
 //!
 //! ```text
-//! Edited ──► aerodynamics, inertia, what was edited beyond ──► trim (Newton) ──► ẋ = f(x, δ, wind)
+//! edited model ──► aerodynamics, inertia, what was edited beyond ──► trim (Newton) ──► ẋ = f(x, δ, wind)
 //!                                                                         └──► ∂f/∂x = A, ∂f/∂δ = B
 //! ```
 //!
@@ -16,11 +16,13 @@ use thiserror::Error;
 
 use super::aerodynamics::{Aerodynamics, Airflow, CoefficientLoads, Controls, DerivativeLoads};
 use super::rigid_body::{Attitude, State};
-use crate::flight::aircraft::edits::{Edited, MatrixOffsets};
+use crate::flight::aircraft::aircraft_model::{
+    AircraftModel, CoefficientModel, DerivativeModel, ModelError, Models,
+};
+use crate::flight::aircraft::edits::{EditedModel, MatrixOffsets};
 use crate::flight::aircraft::inertia::Inertia;
 use crate::flight::aircraft::plane::{ByPlane, Plane, Trim};
 use crate::flight::aircraft::real::{Dual64, Real};
-use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Models, Study, StudyError};
 
 /// Largest acceleration that is left in the trim \[m/s² and rad/s²\].
 pub const TRIM_RESIDUAL: f64 = 1e-10;
@@ -114,7 +116,7 @@ pub struct Jacobian {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum SixDofError {
     /// There is no such aircraft or no such steady flight.
-    Study(#[from] StudyError),
+    AircraftModel(#[from] ModelError),
     /// Only A and B are known.
     Matrices,
     /// Only lateral data.
@@ -137,15 +139,15 @@ pub enum SixDofError {
 
 impl SixDof {
     /// An edited study, ready to fly from its trim.
-    pub fn new(edited: &Edited) -> Result<Self, SixDofError> {
+    pub fn new(edited: &EditedModel) -> Result<Self, SixDofError> {
         let models = healthy(edited.models()?)?;
-        let (aerodynamics, inertia, limits, trim, own) = match &edited.study {
-            Study::Coefficients(study) => from_coefficients(study)?,
-            Study::Derivatives(_) => match edited.derivatives()? {
-                Some(study) => from_derivatives(&study)?,
+        let (aerodynamics, inertia, limits, trim, own) = match &edited.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => from_coefficients(aircraft_model)?,
+            AircraftModel::Derivatives(_) => match edited.derivatives()? {
+                Some(aircraft_model) => from_derivatives(&aircraft_model)?,
                 None => return Err(SixDofError::NoLongitudinal),
             },
-            Study::Matrices(_) => return Err(SixDofError::Matrices),
+            AircraftModel::Matrices(_) => return Err(SixDofError::Matrices),
         };
         let theta0 = trim.theta0();
         // Written so that NaN is outside too.
@@ -369,7 +371,7 @@ fn product<T: Real>(edit: &MatrixOffsets, x: [T; 4], delta: [T; 2]) -> [T; 4] {
 }
 
 /// The models, or why a plane that has data has none.
-fn healthy(models: Models) -> Result<Models, StudyError> {
+fn healthy(models: Models) -> Result<Models, ModelError> {
     match models.problems.first() {
         Some(problem) => Err(*problem),
         None => Ok(models),
@@ -378,15 +380,15 @@ fn healthy(models: Models) -> Result<Models, StudyError> {
 
 type Parts = (Aerodynamics, Inertia, Limits, Trim, Models);
 
-fn from_coefficients(study: &CoefficientStudy) -> Result<Parts, SixDofError> {
-    let derived = study.derive()?;
+fn from_coefficients(aircraft_model: &CoefficientModel) -> Result<Parts, SixDofError> {
+    let derived = aircraft_model.derive()?;
     let own = healthy(derived.derivatives.models())?;
-    let DerivativeStudy { trim, inertia, .. } = derived.derivatives;
+    let DerivativeModel { trim, inertia, .. } = derived.derivatives;
     let inertia = inertia.ok_or(SixDofError::NoInertia)?;
     let (airframe, flight) = (derived.airframe, derived.flight);
     let c = derived.coefficients.longitudinal;
     let sound_speed = flight.condition.speed / flight.mach;
-    let validity = study.validity;
+    let validity = aircraft_model.validity;
     // C_L + C_Lα Δα = ±C_L,max
     let stall = |cl: f64| {
         let alpha = (cl - c.cl) / c.cl_alpha;
@@ -409,9 +411,9 @@ fn from_coefficients(study: &CoefficientStudy) -> Result<Parts, SixDofError> {
     Ok((aerodynamics, inertia, limits, trim, own))
 }
 
-fn from_derivatives(study: &DerivativeStudy) -> Result<Parts, SixDofError> {
-    let own = healthy(study.models())?;
-    let DerivativeStudy { trim, inertia, longitudinal, lateral } = study.clone();
+fn from_derivatives(aircraft_model: &DerivativeModel) -> Result<Parts, SixDofError> {
+    let own = healthy(aircraft_model.models())?;
+    let DerivativeModel { trim, inertia, longitudinal, lateral } = aircraft_model.clone();
     let longitudinal = longitudinal.ok_or(SixDofError::NoLongitudinal)?;
     let couples = lateral.is_some_and(|d| d.ixz_over_ix != 0.0 || d.ixz_over_iz != 0.0);
     let inertia = match inertia {

@@ -6,10 +6,10 @@
 
 use nalgebra::Matrix4;
 
+use crate::flight::aircraft::aircraft_model::DerivativeModel;
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::{Lateral, Longitudinal};
-use crate::flight::aircraft::study::DerivativeStudy;
 use crate::flight::modes::stability::Stability;
 
 /// det A and what its sign says: det A > 0 ⇔ an even number of real roots grow, so that none grows alone.
@@ -90,7 +90,7 @@ pub enum PlaneStiffness {
 /// Flight*, §§6.5, 6.8: criterion E > 0).
 pub fn plane_static_stability(
     model: &StabilityAxes,
-    derivatives: Option<&DerivativeStudy>,
+    derivatives: Option<&DerivativeModel>,
 ) -> PlaneStaticStability {
     let PlaneModel { plane, a, .. } = model.model();
     let (of_determinant, determinant) = verdict_of_determinant(a);

@@ -17,12 +17,12 @@ use thiserror::Error;
 
 use super::{Dimension, Scenario, Sizes};
 use crate::content::Aircraft;
+use crate::flight::aircraft::aircraft_model::{AircraftModel, DerivativeModel, Models};
 use crate::flight::aircraft::coefficients::{Coefficients, LateralCoefficients, LongitudinalCoefficients};
 use crate::flight::aircraft::condition::FlightCondition;
 use crate::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use crate::flight::aircraft::knobs::Knobs;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::aircraft::study::{DerivativeStudy, Models, Study};
 use crate::key::keys;
 use crate::number::trimmed;
 
@@ -52,8 +52,8 @@ impl Page {
     /// Whether an aircraft goes back that far.
     pub fn is_of(self, scenario: &Scenario) -> bool {
         match self {
-            Self::Coefficients => matches!(scenario.edited.study, Study::Coefficients(_)),
-            Self::Dimensional => !matches!(scenario.edited.study, Study::Matrices(_)),
+            Self::Coefficients => matches!(scenario.edited.aircraft_model, AircraftModel::Coefficients(_)),
+            Self::Dimensional => !matches!(scenario.edited.aircraft_model, AircraftModel::Matrices(_)),
             Self::Matrix => true,
         }
     }
@@ -275,34 +275,39 @@ impl Parameter {
     fn value(&self, scenario: &Scenario) -> Option<f64> {
         let edited = &scenario.edited;
         let derivatives = || edited.derivatives().ok()?;
-        self.value_among(&edited.study, derivatives, || edited.models().ok(), &scenario.disturbance.sizes)
+        self.value_among(
+            &edited.aircraft_model,
+            derivatives,
+            || edited.models().ok(),
+            &scenario.disturbance.sizes,
+        )
     }
 
     /// Its value \[SI\] before anything is edited or chosen; zero where the aircraft has none.
     fn baseline(&self, scenario: &Scenario) -> f64 {
-        let Aircraft { study, baseline, .. } = &*scenario.aircraft;
+        let Aircraft { aircraft_model, baseline, .. } = &*scenario.aircraft;
         let (derivatives, models) = (|| baseline.derivatives.clone(), || Some(baseline.models.clone()));
-        self.value_among(study, derivatives, models, &Sizes::default()).unwrap_or(0.0)
+        self.value_among(aircraft_model, derivatives, models, &Sizes::default()).unwrap_or(0.0)
     }
 
     fn value_among(
         &self,
-        study: &Study,
-        derivatives: impl FnOnce() -> Option<DerivativeStudy>,
+        aircraft_model: &AircraftModel,
+        derivatives: impl FnOnce() -> Option<DerivativeModel>,
         models: impl FnOnce() -> Option<Models>,
         sizes: &Sizes,
     ) -> Option<f64> {
-        let of_coefficients = match study {
-            Study::Coefficients(study) => Some(study),
-            Study::Derivatives(_) | Study::Matrices(_) => None,
+        let of_coefficients = match aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => Some(aircraft_model),
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => None,
         };
         match self.place {
             Place::LongitudinalCoefficient(of) => {
-                of_coefficients.map(|study| read(of, &study.coefficients.longitudinal))
+                of_coefficients.map(|aircraft_model| read(of, &aircraft_model.coefficients.longitudinal))
             }
             Place::LateralCoefficient(of) => Some(read(of, of_coefficients?.coefficients.lateral.as_ref()?)),
-            Place::Knob(of) => of_coefficients.map(|study| read(of, &study.knobs)),
-            Place::Condition(of) => of_coefficients.map(|study| read(of, &study.condition)),
+            Place::Knob(of) => of_coefficients.map(|aircraft_model| read(of, &aircraft_model.knobs)),
+            Place::Condition(of) => of_coefficients.map(|aircraft_model| read(of, &aircraft_model.condition)),
             Place::LongitudinalDerivative(of) => Some(read(of, derivatives()?.longitudinal.as_ref()?)),
             Place::LateralDerivative(of) => Some(read(of, derivatives()?.lateral.as_ref()?)),
             Place::A(plane, row, column, sign) => {
@@ -335,9 +340,9 @@ impl Parameter {
 
     /// The number itself, where it follows from nothing and the aircraft has it.
     fn own<'a>(&self, scenario: &'a mut Scenario) -> Option<&'a mut f64> {
-        let of_coefficients = match &mut scenario.edited.study {
-            Study::Coefficients(study) => Some(study),
-            Study::Derivatives(_) | Study::Matrices(_) => None,
+        let of_coefficients = match &mut scenario.edited.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => Some(aircraft_model),
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => None,
         };
         match self.place {
             Place::LongitudinalCoefficient(of) => Some(of(&mut of_coefficients?.coefficients.longitudinal)),

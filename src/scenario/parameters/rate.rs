@@ -3,16 +3,16 @@
 use nalgebra::Matrix4;
 
 use super::{Parameter, Place};
-use crate::flight::aircraft::edits::Edited;
+use crate::flight::aircraft::aircraft_model::{AircraftModel, CoefficientModel, DerivativeModel};
+use crate::flight::aircraft::edits::EditedModel;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::real::{Dual64, seeded};
-use crate::flight::aircraft::study::{CoefficientStudy, DerivativeStudy, Study};
 use crate::flight::modes::sensitivity::entry_rate;
 
 impl Parameter {
     /// ∂A/∂p of a plane, exactly; zero of a parameter that doesn't enter it, `None` where the parameter or the model is missing, or
     /// where the parameter can't be moved.
-    pub fn matrix_rate(&self, edited: &Edited, plane: Plane) -> Option<Matrix4<f64>> {
+    pub fn matrix_rate(&self, edited: &EditedModel, plane: Plane) -> Option<Matrix4<f64>> {
         let rate = match self.place {
             Place::LongitudinalCoefficient(of) => of_coefficients(edited, plane, |given, dual| {
                 dual.coefficients.longitudinal = seeded(&given.coefficients.longitudinal, of);
@@ -57,11 +57,11 @@ impl Parameter {
 
 /// ∂A/∂p through the whole chain; `seed` makes one number of the study the parameter.
 fn of_coefficients(
-    edited: &Edited,
+    edited: &EditedModel,
     plane: Plane,
-    seed: impl FnOnce(&CoefficientStudy, &mut CoefficientStudy<Dual64>) -> Option<()>,
+    seed: impl FnOnce(&CoefficientModel, &mut CoefficientModel<Dual64>) -> Option<()>,
 ) -> Option<Matrix4<f64>> {
-    let Study::Coefficients(given) = &edited.study else { return None };
+    let AircraftModel::Coefficients(given) = &edited.aircraft_model else { return None };
     let mut dual = given.constant();
     seed(given, &mut dual)?;
     of_models(&edited.offsets.on(dual.derive().ok()?.derivatives), plane)
@@ -69,9 +69,9 @@ fn of_coefficients(
 
 /// ∂A/∂p from the derivatives on; `seed` makes one of them the parameter.
 fn of_derivatives(
-    edited: &Edited,
+    edited: &EditedModel,
     plane: Plane,
-    seed: impl FnOnce(&DerivativeStudy, &mut DerivativeStudy<Dual64>) -> Option<()>,
+    seed: impl FnOnce(&DerivativeModel, &mut DerivativeModel<Dual64>) -> Option<()>,
 ) -> Option<Matrix4<f64>> {
     let given = edited.derivatives().ok()??;
     let mut dual = given.constant();
@@ -79,6 +79,6 @@ fn of_derivatives(
     of_models(&dual, plane)
 }
 
-fn of_models(study: &DerivativeStudy<Dual64>, plane: Plane) -> Option<Matrix4<f64>> {
-    Some(study.models().planes[plane].as_ref()?.a.map(|x| x.eps))
+fn of_models(aircraft_model: &DerivativeModel<Dual64>, plane: Plane) -> Option<Matrix4<f64>> {
+    Some(aircraft_model.models().planes[plane].as_ref()?.a.map(|x| x.eps))
 }

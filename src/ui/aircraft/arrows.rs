@@ -14,7 +14,7 @@ const COARSE: usize = 5;
 
 /// An arrow's ink.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pen {
+pub(super) struct ArrowStyle {
     pub color: Color32,
     pub width: f32,
     /// Around the line, so that it is seen on anything.
@@ -31,13 +31,19 @@ pub(super) struct Tip {
 }
 
 /// A straight arrow; `None` where nothing of it is drawn.
-pub(super) fn straight(painter: &Painter, lens: &Lens, pen: Pen, from: Point, along: Point) -> Option<Tip> {
+pub(super) fn straight(
+    painter: &Painter,
+    lens: &Lens,
+    pen: ArrowStyle,
+    from: Point,
+    along: Point,
+) -> Option<Tip> {
     let (a, b) = (lens.project(&from)?, lens.project(&(from + along))?);
     line(painter, pen, &[a, b])
 }
 
 /// A line between two points without a head.
-pub(super) fn plain(painter: &Painter, lens: &Lens, pen: Pen, from: Point, along: Point) {
+pub(super) fn plain(painter: &Painter, lens: &Lens, pen: ArrowStyle, from: Point, along: Point) {
     if let (Some(a), Some(b)) = (lens.project(&from), lens.project(&(from + along))) {
         strokes(painter, pen, &[a, b]);
     }
@@ -47,7 +53,7 @@ pub(super) fn plain(painter: &Painter, lens: &Lens, pen: Pen, from: Point, along
 pub(super) fn arc(
     painter: &Painter,
     lens: &Lens,
-    pen: Pen,
+    pen: ArrowStyle,
     (middle, from, towards): (Point, Point, Point),
     angle: f32,
 ) -> Option<Tip> {
@@ -61,7 +67,7 @@ pub(super) fn arc(
     line(painter, pen, &points?)
 }
 
-fn line(painter: &Painter, pen: Pen, points: &[Pos2]) -> Option<Tip> {
+fn line(painter: &Painter, pen: ArrowStyle, points: &[Pos2]) -> Option<Tip> {
     let end = *points.last()?;
     // Its direction at the end, from a point that isn't too near to have one.
     let before = points.iter().rev().find(|point| point.distance(end) > 2.0)?;
@@ -84,7 +90,7 @@ fn line(painter: &Painter, pen: Pen, points: &[Pos2]) -> Option<Tip> {
     Some(Tip { at: end, towards, line })
 }
 
-fn strokes(painter: &Painter, pen: Pen, points: &[Pos2]) {
+fn strokes(painter: &Painter, pen: ArrowStyle, points: &[Pos2]) {
     if pen.is_dashed {
         painter.extend(Shape::dashed_line(points, Stroke::new(pen.width, pen.color), 5.0, 4.0));
     } else {

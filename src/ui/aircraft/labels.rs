@@ -7,7 +7,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, CornerRadius, FontId, Galley, Id, Painter, Pos2, Rect, Vec2};
 
 use super::arrows::Tip;
-use crate::ui::labels::{Kept, MERGED, Placement, Silhouette, Wanted, draw_leader};
+use crate::ui::labels::{MERGED, Placement, RememberedPlace, Silhouette, Wanted, draw_leader};
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
 
@@ -68,7 +68,8 @@ impl Labels {
         }
         // Where each stood in the frame before, in a pane of this size: it stays there while it can.
         let id = Id::unique("labels on the aircraft");
-        let before: Option<(Vec2, HashMap<String, Kept>)> = painter.ctx().data(|data| data.get_temp(id));
+        let before: Option<(Vec2, HashMap<String, RememberedPlace>)> =
+            painter.ctx().data(|data| data.get_temp(id));
         let before =
             before.filter(|(size, _)| *size == pane.size()).map(|(_, kept)| kept).unwrap_or_default();
         let mut now = HashMap::new();

@@ -3,7 +3,7 @@
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Vec2};
 use nalgebra::Rotation3;
 
-use super::arrows::{Pen, Tip, arc, plain, straight};
+use super::arrows::{ArrowStyle, Tip, arc, plain, straight};
 use super::camera::Lens;
 use super::labels::{Labels, Words};
 use super::landscape::stroke;
@@ -50,7 +50,7 @@ impl Overlays {
 }
 
 /// All that overlays are drawn with.
-pub(super) struct Easel<'a> {
+pub(super) struct OverlayPainter<'a> {
     pub painter: &'a Painter,
     pub pane: Rect,
     pub lens: Lens,
@@ -60,7 +60,7 @@ pub(super) struct Easel<'a> {
     pub labels: Labels,
 }
 
-impl Easel<'_> {
+impl OverlayPainter<'_> {
     fn radius(&self) -> f32 {
         self.picture.model.radius()
     }
@@ -79,8 +79,8 @@ impl Easel<'_> {
         }
     }
 
-    fn pen(&self, color: Color32, width: f32) -> Pen {
-        Pen { color, width, halo: self.palette.pane.gamma_multiply(0.55), is_dashed: false }
+    fn pen(&self, color: Color32, width: f32) -> ArrowStyle {
+        ArrowStyle { color, width, halo: self.palette.pane.gamma_multiply(0.55), is_dashed: false }
     }
 
     fn name(&mut self, tip: Option<Tip>, symbol: &str, words: Words, color: Color32) {
@@ -163,7 +163,7 @@ impl Easel<'_> {
         let (sin, cos) = finite(attitude.psi).sin_cos();
         let (north, east) = (Point::x(), Point::y());
         let (heading, side) = (north * cos + east * sin, east * cos - north * sin);
-        let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
+        let dashed = ArrowStyle { is_dashed: true, ..self.pen(color, 1.2) };
         if attitude.psi.abs() >= SMALLEST_ANGLE {
             plain(self.painter, &self.lens, dashed, Point::zeros(), north * r);
             self.angle((Point::zeros(), north * r, east * r), (attitude.psi, own.psi), "ψ", color);
@@ -201,7 +201,7 @@ impl Easel<'_> {
         let arc = FLOW_ARC * self.nose();
         self.angle((Point::zeros(), x * arc, z * arc), (alpha, figures.alpha), "α", color);
         if beta.abs() >= SMALLEST_ANGLE {
-            let dashed = Pen { is_dashed: true, ..self.pen(color, 1.2) };
+            let dashed = ArrowStyle { is_dashed: true, ..self.pen(color, 1.2) };
             plain(self.painter, &self.lens, dashed, Point::zeros(), in_plane * arc);
             self.angle((Point::zeros(), in_plane * arc, y * arc), (beta, figures.beta), "β", color);
         }

@@ -9,7 +9,7 @@ use egui::{
 };
 
 use super::landscape::Ground;
-use super::overlays::Easel;
+use super::overlays::OverlayPainter;
 use super::picture::{Picture, finite};
 use super::{airframe, landscape};
 use crate::scenario::view::{Camera, FlightView, StandardView};
@@ -151,8 +151,15 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
     painter.add(Shape::mesh(landscape::kept_mesh(ui, pane, &lens, &ground, palette)));
 
     let rotation = picture.attitude.rotation();
-    let mut easel =
-        Easel { painter: &painter, pane, lens, picture, rotation, palette, labels: Default::default() };
+    let mut easel = OverlayPainter {
+        painter: &painter,
+        pane,
+        lens,
+        picture,
+        rotation,
+        palette,
+        labels: Default::default(),
+    };
     let (beyond, before) = if overlays.path { easel.path() } else { Default::default() };
     painter.add(Shape::mesh(beyond));
     let airframe = airframe::kept_airframe(ui, pane, picture, &rotation, &lens, palette);
@@ -173,7 +180,7 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
     if let Some(note) = picture.note {
         taken.push(note_ui(&painter, pane, note, palette));
     }
-    let Easel { labels, .. } = easel;
+    let OverlayPainter { labels, .. } = easel;
     labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
 }
 

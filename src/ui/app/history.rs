@@ -7,7 +7,7 @@ use egui::util::undoer::Undoer;
 
 use super::Pinned;
 use crate::scenario::Scenario;
-use crate::ui::poles::Hand;
+use crate::ui::poles::DragPhase;
 
 /// The steps that a person has gone.
 #[derive(Debug, Default)]
@@ -26,14 +26,14 @@ impl History {
     }
 
     /// Takes note of the scene at the end of a frame. A drag is one step, however long it is held still.
-    pub fn settle(&mut self, ui: &Ui, hand: Hand, scene: &Scene) {
+    pub fn settle(&mut self, ui: &Ui, hand: DragPhase, scene: &Scene) {
         let (is_held, is_let_go) = ui.input(|input| (input.pointer.any_down(), input.pointer.any_released()));
         match hand {
             _ if is_let_go => self.keep(ui, scene),
-            Hand::LetsGo => self.keep(ui, scene),
-            Hand::Takes | Hand::Holds => {}
-            Hand::Away if is_held => {}
-            Hand::Away => self.0.feed_state(ui.input(|input| input.time), scene),
+            DragPhase::LetsGo => self.keep(ui, scene),
+            DragPhase::Takes | DragPhase::Holds => {}
+            DragPhase::Away if is_held => {}
+            DragPhase::Away => self.0.feed_state(ui.input(|input| input.time), scene),
         }
     }
 

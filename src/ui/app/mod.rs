@@ -24,7 +24,7 @@ use crate::scenario::{Choice, Scenario, Source, View, link};
 use crate::ui::flight_pane::FlightPane;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
-use crate::ui::poles::{Hand, PoleMap};
+use crate::ui::poles::{DragPhase, PoleMap};
 use crate::ui::responses::Responses;
 use crate::ui::share::Share;
 use crate::ui::theme::{self, Palette};
@@ -211,14 +211,14 @@ impl App {
     }
 
     /// Moves a pole that is dragged or moved by key.
-    fn drag_pole(&mut self, ui: &Ui) -> Hand {
+    fn drag_pole(&mut self, ui: &Ui) -> DragPhase {
         let edit = |app: &mut Self| app.panes.poles.edit(ui, &mut app.scenario, &app.findings, app.view.page);
         let hand = edit(self);
-        if hand == Hand::Takes || ui.input(|input| input.pointer.any_pressed()) {
+        if hand == DragPhase::Takes || ui.input(|input| input.pointer.any_pressed()) {
             // A drag is one step, whatever was edited just before it and however long it takes.
             self.history.end_step(&self.scene());
         }
-        if hand == Hand::Takes { edit(self) } else { hand }
+        if hand == DragPhase::Takes { edit(self) } else { hand }
     }
 
     fn top_bar_ui(&self, ui: &mut Ui, width: f32) -> Option<Action> {

@@ -7,7 +7,7 @@ use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::{Page, Parameter, Source, View, parameters};
 use crate::ui::derivatives::{Chosen, Rows, derivatives_ui, is_listed};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
-use crate::ui::poles::Seen;
+use crate::ui::poles::PoleMapContent;
 use crate::ui::theme::Palette;
 use crate::words;
 
@@ -55,7 +55,7 @@ impl App {
         let locus = locus.as_ref().map(|(parameter, locus)| (*parameter, locus.as_ref()));
         let pinned = self.pinned_findings.as_ref().map(|pinned| pinned.modes());
         let (findings, marks) = (self.findings.as_ref(), self.view.marks);
-        self.panes.poles.show(ui, Seen { findings, plane, pinned, marks, locus });
+        self.panes.poles.show(ui, PoleMapContent { findings, plane, pinned, marks, locus });
     }
 
     /// What else the pole map shows, and what the drag of a pole moves.

@@ -24,6 +24,6 @@ mod view;
 pub use axis::{Room, Scale, Tick};
 pub use axis_range::AxisRange;
 pub use curve::Curve;
-pub use plot::{DOT, Picture, SAMPLE, SmallPlot, sample};
+pub use plot::{DOT, PlotContent, SAMPLE, SmallPlot, sample};
 pub use primitive::{Pattern, Primitive, paint, spaced};
 pub use view::{Chart, PlotPoint, View};

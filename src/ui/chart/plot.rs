@@ -27,7 +27,7 @@ pub const DOT: f32 = 3.5;
 
 /// What a small plot shows.
 #[derive(Clone, Debug)]
-pub struct Picture {
+pub struct PlotContent {
     /// Symbol of the quantity.
     pub symbol: String,
     /// Unit of the quantity.
@@ -54,7 +54,7 @@ pub struct Picture {
     pub quantities: Vec<&'static str>,
 }
 
-impl Picture {
+impl PlotContent {
     /// Of functions of time.
     pub fn of_time(symbol: impl Into<String>, unit: impl Into<String>, curves: Vec<Curve>) -> Self {
         Self {
@@ -131,7 +131,7 @@ impl SmallPlot {
         &mut self,
         ui: &mut Ui,
         rect: Rect,
-        picture: &mut Picture,
+        picture: &mut PlotContent,
         cursor: Option<f64>,
     ) -> Option<f64> {
         let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| curve.at(x));
@@ -162,7 +162,7 @@ impl SmallPlot {
 
 /// All within the frame, from the ground up.
 fn draw(
-    picture: &mut Picture,
+    picture: &mut PlotContent,
     chart: &Chart,
     ticks: &[Vec<Tick>; 2],
     cursor: Option<f64>,
@@ -199,7 +199,7 @@ fn draw(
 }
 
 /// Writes the numbers of both axes outside the frame, a unit of time after the last; gives the ticks across and upward.
-fn axes(ui: &Ui, picture: &Picture, chart: &Chart) -> [Vec<Tick>; 2] {
+fn axes(ui: &Ui, picture: &PlotContent, chart: &Chart) -> [Vec<Tick>; 2] {
     let (View { left, right, bottom, top }, rect) = (chart.view, chart.rect);
     let color = Palette::of(ui).weak;
     let font = FontId::proportional(theme::sizes(ui).tick);
@@ -242,7 +242,7 @@ pub fn sample(left: Pos2, pattern: Pattern, color: Color32) -> Primitive {
 }
 
 /// Symbol and unit on the left; on the right the value at the cursor.
-fn title(ui: &Ui, rect: Rect, picture: &Picture, value: Option<f64>) {
+fn title(ui: &Ui, rect: Rect, picture: &PlotContent, value: Option<f64>) {
     let palette = Palette::of(ui);
     if !picture.quantities.is_empty() {
         quantities(ui, rect, picture);
@@ -264,7 +264,7 @@ fn title(ui: &Ui, rect: Rect, picture: &Picture, value: Option<f64>) {
 }
 
 /// The title of a picture of one quantity.
-fn quantity(ui: &Ui, rect: Rect, picture: &Picture) {
+fn quantity(ui: &Ui, rect: Rect, picture: &PlotContent) {
     let palette = Palette::of(ui);
     let mut job = Symbol::parse(&picture.symbol).job(theme::sizes(ui).title_symbol, palette.text);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
@@ -279,7 +279,7 @@ fn quantity(ui: &Ui, rect: Rect, picture: &Picture) {
 }
 
 /// The title of a picture of inputs: of each, as far as there is room, a sample of its curve, its symbol and its name.
-fn quantities(ui: &Ui, rect: Rect, picture: &Picture) {
+fn quantities(ui: &Ui, rect: Rect, picture: &PlotContent) {
     let palette = Palette::of(ui);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     let several = picture.quantities.len() > 1;

@@ -85,7 +85,7 @@ pub struct Place {
 
 /// Where a label stood: it stays there as long as it can, so that nothing jumps while a slider moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
+pub struct RememberedPlace {
     /// From its point to its middle.
     offset: Vec2,
     place: Place,
@@ -159,7 +159,12 @@ impl Placement {
 
     /// Finds a place for a label and takes it; `None` where there is no room. What was `kept` is kept while it is possible;
     /// where the map `rests`, it gives way to what is better.
-    pub fn label(&mut self, wanted: &Wanted, kept: Option<Kept>, rests: bool) -> Option<(Place, Kept)> {
+    pub fn label(
+        &mut self,
+        wanted: &Wanted,
+        kept: Option<RememberedPlace>,
+        rests: bool,
+    ) -> Option<(Place, RememberedPlace)> {
         let kept = kept.and_then(|kept| self.again(wanted, kept));
         let place = match kept {
             Some(kept) if !rests => kept,
@@ -169,7 +174,7 @@ impl Placement {
         self.labels.push(place.rect.expand(2.0));
         self.leaders.extend(place.leader);
         let offset = place.rect.center() - wanted.own[place.point];
-        Some((place, Kept { offset, place }))
+        Some((place, RememberedPlace { offset, place }))
     }
 
     /// What a place costs: with all its words, beside its point, on the side where it belongs and on nothing that is better
@@ -187,8 +192,8 @@ impl Placement {
     }
 
     /// The same place beside the point where it is now.
-    fn again(&self, wanted: &Wanted, kept: Kept) -> Option<Place> {
-        let Kept { offset, place: Place { size, point, leader, .. } } = kept;
+    fn again(&self, wanted: &Wanted, kept: RememberedPlace) -> Option<Place> {
+        let RememberedPlace { offset, place: Place { size, point, leader, .. } } = kept;
         let (own, size_now) = (wanted.own.get(point)?, wanted.sizes.get(size)?);
         if size < wanted.first {
             return None;
@@ -386,7 +391,7 @@ mod tests {
     fn a_label_moves_with_its_pole_and_keeps_its_side_while_the_hand_is_at_work() {
         let frame = Rect::from_min_size(Pos2::ZERO, Vec2::new(400.0, 300.0));
         let size = Vec2::new(90.0, 28.0);
-        let mut kept: Option<Kept> = None;
+        let mut kept: Option<RememberedPlace> = None;
         let mut offsets = Vec::new();
         for step in 0..200 {
             // The pole goes down past another one on its right.
@@ -415,7 +420,7 @@ mod tests {
     }
 
     /// Arrows from one point all around, with the labels of their tips: a scene that turns.
-    fn turned(angle: f32, kept: &mut [Option<Kept>; 5]) -> Vec<Place> {
+    fn turned(angle: f32, kept: &mut [Option<RememberedPlace>; 5]) -> Vec<Place> {
         let centre = Pos2::new(200.0, 150.0);
         let tips = [(0.0, 90.0), (0.2, 60.0), (1.7, 100.0), (3.3, 30.0), (4.9, 80.0)];
         let tips = tips.map(|(at, length)| (Vec2::angled(angle + at), length));
@@ -425,7 +430,7 @@ mod tests {
             placement.keep_clear(Rect::from_center_size(tip, Vec2::splat(8.0)));
             placement.shun_arrow(&[centre, tip]);
         }
-        let place = |((towards, length), kept): ((Vec2, f32), &mut Option<Kept>)| {
+        let place = |((towards, length), kept): ((Vec2, f32), &mut Option<RememberedPlace>)| {
             let wanted = Wanted {
                 towards: Some(towards),
                 leader: 30.0,
@@ -450,7 +455,9 @@ mod tests {
             for (i, place) in places.iter().enumerate() {
                 assert!(places[i + 1..].iter().all(|other| !other.rect.intersects(place.rect)), "{step}°");
             }
-            let shift = |(a, b): (Option<Kept>, Option<Kept>)| Some((a?.offset - b?.offset).length());
+            let shift = |(a, b): (Option<RememberedPlace>, Option<RememberedPlace>)| {
+                Some((a?.offset - b?.offset).length())
+            };
             jumps += before.into_iter().zip(kept).filter_map(shift).filter(|shift| *shift > 25.0).count();
         }
         // Five labels go once around: each changes its side a few times.

@@ -14,7 +14,7 @@ use crate::words;
 
 /// What a person's hand does with a pole in this frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Hand {
+pub enum DragPhase {
     /// Nothing.
     #[default]
     Away,
@@ -28,7 +28,7 @@ pub enum Hand {
 
 /// A pole that is held.
 #[derive(Debug)]
-pub struct Held {
+pub struct DraggedPole {
     /// Which of the maps it is held on.
     pub map: usize,
     /// The aircraft when it was taken: every place is solved for from there, so that the way makes no difference.
@@ -45,7 +45,7 @@ pub struct Held {
     pub wanted: Option<Complex<f64>>,
 }
 
-impl Held {
+impl DraggedPole {
     /// Where the pointer wants it \[1/s\], in the upper half; a real root stays on the axis.
     pub fn wanted(&self, chart: &Chart, pointer: egui::Pos2) -> Complex<f64> {
         let at: Complex<f64> = chart.at(pointer - self.grip).into();

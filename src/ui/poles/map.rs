@@ -5,16 +5,16 @@ use std::sync::Arc;
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2};
 use nalgebra::Complex;
 
-use super::drag::{Held, Outcome};
+use super::drag::{DraggedPole, Outcome};
 use super::trail::Trail;
-use super::{NARROW, NARROWEST, Seen, boundaries, grid, marks};
+use super::{NARROW, NARROWEST, PoleMapContent, boundaries, grid, marks};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{fixed, round_up, significant};
 use crate::ui::chart::{Chart, View};
-use crate::ui::labels::{Kept, Place, Placement, Wanted, draw_leader};
+use crate::ui::labels::{Place, Placement, RememberedPlace, Wanted, draw_leader};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -52,7 +52,7 @@ pub struct Extras<'a> {
     /// Boundaries of levels.
     pub boundaries: &'a [Boundary],
     /// The pole that is held on this map.
-    pub held: Option<&'a Held>,
+    pub held: Option<&'a DraggedPole>,
     /// What came of it.
     pub outcome: Option<&'a Outcome>,
     /// The mode that stands out.
@@ -99,9 +99,9 @@ impl Map<'_> {
         ui: &Ui,
         palette: &'static Palette,
         chart: &Chart,
-        seen: &Seen<'_>,
+        seen: &PoleMapContent<'_>,
         extras: Extras<'_>,
-        stood: &mut Stood,
+        stood: &mut RememberedLabels,
     ) {
         let rect = chart.rect;
         let caption = self.rect.min + Vec2::new(0.0, 0.5 * CAPTION - 1.0);
@@ -181,7 +181,7 @@ impl Map<'_> {
         chart: &Chart,
         placement: &mut Placement,
         inset: Option<View>,
-        stood: &mut Stood,
+        stood: &mut RememberedLabels,
     ) -> Vec<(usize, Label)> {
         let on_map: Vec<(usize, Vec<Lines>, Wanted)> = (0..self.modes.len())
             .filter_map(|index| {
@@ -210,7 +210,7 @@ impl Map<'_> {
                 let kept = stood.kept.iter().find(|(of, _)| *of == name(*index)).map(|(_, kept)| *kept);
                 placement.label(wanted, kept, stood.rests)
             };
-            on_map.iter().map(place).collect::<Vec<Option<(Place, Kept)>>>()
+            on_map.iter().map(place).collect::<Vec<Option<(Place, RememberedPlace)>>>()
         };
         let (free, mut on_map) = (placement.clone(), on_map);
         let mut found = places(placement, &on_map);
@@ -268,7 +268,13 @@ fn frame(painter: &Painter, chart: &Chart, palette: &Palette, inset: View) {
 }
 
 /// Where a held pole was, and where it is wanted but can't follow.
-fn held(painter: &Painter, chart: &Chart, palette: &Palette, held: Option<&Held>, outcome: Option<&Outcome>) {
+fn held(
+    painter: &Painter,
+    chart: &Chart,
+    palette: &Palette,
+    held: Option<&DraggedPole>,
+    outcome: Option<&Outcome>,
+) {
     let Some(held) = held else { return };
     marks::ring(painter, chart, held.mode.lambda, palette.mode(held.mode.naming.name).gamma_multiply(0.7));
     if let Some(outcome) = outcome.filter(|outcome| outcome.obstacle.is_some()) {
@@ -279,8 +285,8 @@ fn held(painter: &Painter, chart: &Chart, palette: &Palette, held: Option<&Held>
 
 /// Where the labels of a map stood in the frame before, by the names of their modes.
 #[derive(Debug, Default)]
-pub struct Stood {
-    kept: Vec<(ModeName, Kept)>,
+pub struct RememberedLabels {
+    kept: Vec<(ModeName, RememberedPlace)>,
     /// Whether nothing is under the hand, so that a label may go to a better place.
     rests: bool,
 }
@@ -425,7 +431,7 @@ mod tests {
                         chart,
                         &mut placement,
                         inset,
-                        &mut Stood { rests: true, ..Stood::default() },
+                        &mut RememberedLabels { rests: true, ..RememberedLabels::default() },
                     );
                     check(map, chart, &labels);
                 }

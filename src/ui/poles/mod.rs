@@ -34,10 +34,10 @@ use egui::{
 use nalgebra::Complex;
 
 pub use choices::Choices;
-pub use drag::Hand;
+pub use drag::DragPhase;
 
-use self::drag::{Held, Outcome, place};
-use self::map::{CAPTION, Extras, Map, Stood};
+use self::drag::{DraggedPole, Outcome, place};
+use self::map::{CAPTION, Extras, Map, RememberedLabels};
 use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
@@ -70,7 +70,7 @@ const COARSE: f64 = 10.0;
 
 /// What the pole map shows.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<'a> {
+pub struct PoleMapContent<'a> {
     /// What follows from the scenario on screen.
     pub findings: &'a Findings,
     /// The analysis of its plane.
@@ -90,8 +90,8 @@ pub struct PoleMap {
     pub choices: Choices,
     ranges: [MapRange; 2],
     trail: Trail,
-    stood: [Stood; 2],
-    held: Option<Held>,
+    stood: [RememberedLabels; 2],
+    held: Option<DraggedPole>,
     outcome: Option<Outcome>,
     /// Both maps as they were on screen in the last frame, where the pointer is.
     charts: Option<[Chart; 2]>,
@@ -107,18 +107,24 @@ fn pole_id(mode: usize) -> Id {
 
 impl PoleMap {
     /// Moves a pole of `scenario` that is dragged or moved by key; `findings` are those on screen.
-    pub fn edit(&mut self, ui: &Ui, scenario: &mut Scenario, findings: &Rc<Findings>, page: Page) -> Hand {
+    pub fn edit(
+        &mut self,
+        ui: &Ui,
+        scenario: &mut Scenario,
+        findings: &Rc<Findings>,
+        page: Page,
+    ) -> DragPhase {
         if ui.input(|input| input.pointer.any_pressed() || input.events.iter().any(is_key_press)) {
             self.outcome = None;
         }
         let Some(charts) = self.charts else {
-            return Hand::Away;
+            return DragPhase::Away;
         };
         if self.held.is_some() {
             return self.drag(ui, scenario, charts);
         }
         if findings.scenario() != scenario {
-            return Hand::Away;
+            return DragPhase::Away;
         }
         let modes = findings.modes();
         for (map, chart) in charts.iter().enumerate() {
@@ -132,8 +138,9 @@ impl PoleMap {
             let pole = if lower { mode.lambda.conj() } else { mode.lambda };
             let grip = at - chart.position(pole);
             self.choices.subject = Some(mode.naming.name);
-            self.held = Some(Held { map, start: findings.clone(), mode, movers, grip, lower, wanted: None });
-            return Hand::Takes;
+            self.held =
+                Some(DraggedPole { map, start: findings.clone(), mode, movers, grip, lower, wanted: None });
+            return DragPhase::Takes;
         }
         let focused = (0..modes.len()).find(|&i| ui.memory(|memory| memory.has_focus(pole_id(i))));
         if let Some((index, by)) = focused.and_then(|index| Some((index, stepped(ui)?))) {
@@ -148,12 +155,12 @@ impl PoleMap {
                 *scenario = moved;
             }
         }
-        Hand::Away
+        DragPhase::Away
     }
 
     /// Goes on with a drag.
-    fn drag(&mut self, ui: &Ui, scenario: &mut Scenario, charts: [Chart; 2]) -> Hand {
-        let Some(held) = &mut self.held else { return Hand::Away };
+    fn drag(&mut self, ui: &Ui, scenario: &mut Scenario, charts: [Chart; 2]) -> DragPhase {
+        let Some(held) = &mut self.held else { return DragPhase::Away };
         let (pointer, down, escape) = ui.input_mut(|input| {
             let escape = input.consume_key(Modifiers::NONE, Key::Escape);
             (input.pointer.interact_pos(), input.pointer.any_down(), escape)
@@ -167,7 +174,7 @@ impl PoleMap {
         }
         if escape || other {
             self.held = None;
-            return Hand::LetsGo;
+            return DragPhase::LetsGo;
         }
         if let Some(pointer) = pointer {
             let wanted = held.wanted(&charts[held.map], pointer);
@@ -181,14 +188,14 @@ impl PoleMap {
             }
         }
         if down {
-            return Hand::Holds;
+            return DragPhase::Holds;
         }
         self.held = None;
-        Hand::LetsGo
+        DragPhase::LetsGo
     }
 
     /// Draws both maps side by side.
-    pub fn show(&mut self, ui: &mut Ui, seen: Seen<'_>) {
+    pub fn show(&mut self, ui: &mut Ui, seen: PoleMapContent<'_>) {
         let palette = Palette::of(ui);
         let modes = &seen.plane.modes;
         self.trail.observe(ui, modes);
@@ -263,7 +270,7 @@ impl PoleMap {
         grounds: &[Response; 2],
         charts: &[Chart; 2],
         maps: &[Map<'_>; 2],
-        seen: &Seen<'a>,
+        seen: &PoleMapContent<'a>,
         boundaries: &'a [Boundary],
     ) -> Option<(usize, Near<'a>)> {
         let map = grounds.iter().position(|ground| ground.hover_pos().is_some())?;
@@ -456,7 +463,7 @@ fn sentence_ui(ui: &mut Ui, sentence: &str, map: Rect, palette: &Palette, draw: 
 }
 
 /// A card beside `anchor`.
-fn card(of: &Response, anchor: Rect, seen: &Seen<'_>, near: Near<'_>) {
+fn card(of: &Response, anchor: Rect, seen: &PoleMapContent<'_>, near: Near<'_>) {
     Tooltip::always_open(of.ctx.clone(), of.layer_id, of.id, anchor)
         .gap(6.0)
         .show(|ui| card_ui(ui, seen, near));

@@ -3,7 +3,7 @@
 use egui::{Pos2, RichText, Ui};
 use nalgebra::Complex;
 
-use super::{Seen, boundaries, marks};
+use super::{PoleMapContent, boundaries, marks};
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
@@ -62,7 +62,7 @@ pub fn nearest_pole(chart: &Chart, modes: &[Mode], at: Pos2, reach: f32) -> Opti
 /// What is nearest to a point of the screen.
 pub fn near<'a>(
     chart: &Chart,
-    seen: &Seen<'a>,
+    seen: &PoleMapContent<'a>,
     approximations: bool,
     boundaries: impl Iterator<Item = &'a Boundary>,
     at: Pos2,
@@ -99,7 +99,7 @@ fn on_boundary<'a>(
 }
 
 /// The nearest point of the drawn path, between its samples too.
-fn on_path(chart: &Chart, seen: &Seen<'_>, at: Pos2) -> Option<Near<'static>> {
+fn on_path(chart: &Chart, seen: &PoleMapContent<'_>, at: Pos2) -> Option<Near<'static>> {
     let (parameter, locus) = seen.locus?;
     let mut best: Option<(f32, f64, Complex<f64>, Option<ModeName>)> = None;
     for pair in locus.samples.windows(2) {
@@ -120,7 +120,7 @@ fn on_path(chart: &Chart, seen: &Seen<'_>, at: Pos2) -> Option<Near<'static>> {
 }
 
 /// What a card says.
-pub fn card_ui(ui: &mut Ui, seen: &Seen<'_>, near: Near<'_>) {
+pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
     let palette = Palette::of(ui);
     let title = |ui: &mut Ui, text: &str, name: ModeName| {
         ui.label(

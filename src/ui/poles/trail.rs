@@ -113,9 +113,9 @@ mod tests {
         modes_of(Plane::Longitudinal, &a).expect("modes")
     }
 
-    struct Hand(Context, f64);
+    struct DragPhase(Context, f64);
 
-    impl Hand {
+    impl DragPhase {
         /// One frame with the button pressed, let go, or left as it is.
         fn frame(&mut self, pressed: Option<bool>, trail: &mut Trail, m_w: f64) -> usize {
             self.1 += 0.02;
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn a_drag_leaves_a_trail_that_the_next_drag_begins_anew_and_any_other_change_ends() {
-        let (mut hand, mut trail) = (Hand(Context::default(), 0.0), Trail::default());
+        let (mut hand, mut trail) = (DragPhase(Context::default(), 0.0), Trail::default());
         assert_eq!(hand.frame(None, &mut trail, -3.0), 1);
         assert_eq!(hand.frame(Some(true), &mut trail, -3.1), 2);
         assert_eq!(hand.frame(None, &mut trail, -3.2), 3);
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_long_drag_keeps_its_beginning_and_a_bounded_number_of_samples() {
-        let (mut hand, mut trail) = (Hand(Context::default(), 0.0), Trail::default());
+        let (mut hand, mut trail) = (DragPhase(Context::default(), 0.0), Trail::default());
         hand.frame(None, &mut trail, -3.0);
         let first = trail.samples[0].clone();
         hand.frame(Some(true), &mut trail, -3.001);

@@ -7,7 +7,7 @@ use crate::findings::Findings;
 use crate::flight::Channel;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::Motion;
-use crate::flight::motion::modal_sum::{ModalSum, SplitError};
+use crate::flight::motion::modal_decomposition::{ModalDecomposition, SplitError};
 use crate::flight::motion::outputs::Output;
 use crate::scenario::{Dimension, Quantity, Scenario};
 use crate::ui::chart::{Curve, Pattern, PlotPoint};
@@ -62,7 +62,7 @@ pub fn parts(
     let (Some(motion), Some(split)) = (findings.motion(), findings.split(output)) else {
         return Ok(Vec::new());
     };
-    let ModalSum { parts, rest } = split.as_ref().map_err(Clone::clone)?;
+    let ModalDecomposition { parts, rest } = split.as_ref().map_err(Clone::clone)?;
     let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let whole = parts.iter().map(|part| largest(part)).fold(0.0, f64::max);
     let part = |name, values: &[f64], color| timed(motion, name, values, unit, Pattern::Filled, color);

@@ -13,7 +13,7 @@ use crate::flight::motion::frequency_response::{FrequencyPoint, Peak};
 use crate::flight::motion::outputs::Output;
 use crate::number::significant;
 use crate::scenario::Quantity;
-use crate::ui::chart::{Curve, Pattern, Picture, PlotPoint, Scale, SmallPlot};
+use crate::ui::chart::{Curve, Pattern, PlotContent, PlotPoint, Scale, SmallPlot};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -21,14 +21,14 @@ use crate::words;
 #[derive(Debug, Default)]
 pub struct FrequencyPlots {
     plots: [SmallPlot; 2],
-    sheet: Option<((CacheKey, Output), Sheet)>,
+    sheet: Option<((CacheKey, Output), CachedPlots)>,
 }
 
 /// The pictures, and what is said of them.
 #[derive(Debug)]
-struct Sheet {
+struct CachedPlots {
     shown: Shown,
-    pictures: [Picture; 2],
+    pictures: [PlotContent; 2],
     entries: Vec<Entry>,
 }
 
@@ -48,8 +48,8 @@ impl FrequencyPlots {
         let output = canvas.view.frequency_of[findings.scenario().plane];
         let Some(response) = findings.frequency(output) else { return };
         let key = (CacheKey::of(canvas), output);
-        let Sheet { shown, pictures, entries } =
-            kept(&mut self.sheet, key, || Sheet::of(canvas, output, response));
+        let CachedPlots { shown, pictures, entries } =
+            kept(&mut self.sheet, key, || CachedPlots::of(canvas, output, response));
         match unsteady(findings) {
             Some(growing) => note_ui(ui, &growing),
             None => peaks_ui(ui, &response.peaks, *shown),
@@ -71,7 +71,7 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, output: &mut Output) {
     output_ui(ui, "frequency", "Output of the frequency response", plane, output);
 }
 
-impl Sheet {
+impl CachedPlots {
     fn of(canvas: Canvas<'_>, output: Output, response: &FrequencyResponse) -> Self {
         let Canvas { findings, pinned, palette, .. } = canvas;
         let scenario = findings.scenario();
@@ -103,13 +103,13 @@ impl Sheet {
             .iter()
             .filter_map(|mode| Some((mode.natural_frequency()?.log10(), palette.mode(mode.naming.name))))
             .collect();
-        let picture = |unit: String, curves| Picture {
+        let picture = |unit: String, curves| PlotContent {
             against: ("ω", "rad/s"),
             uprights: uprights.clone(),
             x_range: Some(range.0.log10()..=range.1.log10()),
             scales: (Scale::Decades, Scale::Even),
             with_zero: false,
-            ..Picture::of_time(symbol.as_str(), unit, curves)
+            ..PlotContent::of_time(symbol.as_str(), unit, curves)
         };
         let dots = response
             .peaks
@@ -120,9 +120,9 @@ impl Sheet {
             })
             .collect();
         let gain_unit = format!("dB of {unit} per {input_unit}");
-        let gain = Picture { dots, ..picture(gain_unit, with_pinned(&decibels)) };
+        let gain = PlotContent { dots, ..picture(gain_unit, with_pinned(&decibels)) };
         let scales = (Scale::Decades, Scale::RightAngles);
-        let phase = Picture { scales, ..picture("deg".to_owned(), with_pinned(&degrees)) };
+        let phase = PlotContent { scales, ..picture("deg".to_owned(), with_pinned(&degrees)) };
         let pictures = [gain, phase];
         let mut entries = legend::curves(&pictures);
         entries.extend(findings.modes().iter().filter(|mode| mode.is_oscillatory()).map(|mode| {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Color32, Galley, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
 
-use crate::ui::chart::{self, Pattern, Picture, Primitive, SAMPLE};
+use crate::ui::chart::{self, Pattern, PlotContent, Primitive, SAMPLE};
 use crate::ui::theme::{self, Palette};
 
 /// Between a sample and its words, and between two of them.
@@ -48,7 +48,7 @@ pub struct Entry {
 }
 
 /// The curves of all pictures, each name once: first the whole motions, then the parts.
-pub fn curves(pictures: &[Picture]) -> Vec<Entry> {
+pub fn curves(pictures: &[PlotContent]) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for curve in pictures.iter().flat_map(|picture| &picture.curves) {
         if !entries.iter().any(|entry| entry.name == curve.name) {

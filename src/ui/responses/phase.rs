@@ -9,7 +9,7 @@ use super::{CacheKey, Canvas, kept, output_ui};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::outputs::Output;
-use crate::ui::chart::{Curve, Pattern, Picture, PlotPoint, SmallPlot};
+use crate::ui::chart::{Curve, Pattern, PlotContent, PlotPoint, SmallPlot};
 
 /// Samples in a turn of the fastest mode: with fewer a portrait would look like a polygon, since it shows each turn large,
 /// however many there are.
@@ -21,7 +21,7 @@ const MOST_PARTS: f64 = 16.0;
 #[derive(Debug, Default)]
 pub struct PhasePlots {
     plots: [SmallPlot; 2],
-    pictures: Option<(Key, [Picture; 2])>,
+    pictures: Option<(Key, [PlotContent; 2])>,
 }
 
 type Key = (CacheKey, [(Output, Output); 2]);
@@ -71,7 +71,7 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, pairs: &mut [(Output, Output); 2])
 }
 
 /// One quantity over another, without its dots.
-fn portrait(canvas: Canvas<'_>, pair: (Output, Output)) -> Picture {
+fn portrait(canvas: Canvas<'_>, pair: (Output, Output)) -> PlotContent {
     let Canvas { findings, pinned, view, palette, .. } = canvas;
     let (across, across_unit, across_si) = units(pair.0, findings.scenario());
     let (upward, upward_unit, upward_si) = units(pair.1, findings.scenario());
@@ -87,7 +87,10 @@ fn portrait(canvas: Canvas<'_>, pair: (Output, Output)) -> Picture {
         drawn.push(Curve::new(x.name, points, x.color, x.pattern));
     }
     drawn.extend(pinned.and_then(|pinned| linear(pinned, Pattern::Dashed, palette.pinned)));
-    Picture { against: (across.symbol, across_unit), ..Picture::of_time(upward.symbol, upward_unit, drawn) }
+    PlotContent {
+        against: (across.symbol, across_unit),
+        ..PlotContent::of_time(upward.symbol, upward_unit, drawn)
+    }
 }
 
 /// Into how many parts a sample is divided, so that the fastest mode is seen to turn.

@@ -10,10 +10,10 @@ use super::{CacheKey, Canvas, curves, kept, note_ui, word};
 use crate::content::LengthUnit;
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::motion::modal_sum::SplitError;
+use crate::flight::motion::modal_decomposition::SplitError;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
-use crate::ui::chart::{Curve, Pattern, Picture, SmallPlot};
+use crate::ui::chart::{Curve, Pattern, PlotContent, SmallPlot};
 use crate::ui::derivatives::Rows;
 
 /// Least height of a small plot \[points\].
@@ -28,7 +28,7 @@ pub struct TimePlots {
     hovered: Option<f64>,
     /// Time of the playback \[s\].
     pub played: Option<f64>,
-    sheet: Option<(Key, Sheet)>,
+    sheet: Option<(Key, CachedPlots)>,
 }
 
 /// What is shown, of which outputs, and whether split.
@@ -36,18 +36,18 @@ type Key = (CacheKey, Vec<Output>, bool);
 
 /// What the plots show.
 #[derive(Debug)]
-struct Sheet {
-    pictures: Vec<Picture>,
+struct CachedPlots {
+    pictures: Vec<PlotContent>,
     entries: Vec<Entry>,
     /// Why the motion isn't split.
     unsplit: Option<SplitError>,
 }
 
-impl Sheet {
+impl CachedPlots {
     fn of(canvas: Canvas<'_>, chosen: &[Output], split: bool) -> Self {
         let Canvas { findings, pinned, view, palette, .. } = canvas;
         let scenario = findings.scenario();
-        let mut pictures: Vec<Picture> = Vec::new();
+        let mut pictures: Vec<PlotContent> = Vec::new();
         let mut unsplit = None;
         let duration = scenario.disturbance.sizes.time.max(1e-3);
         for &output in chosen {
@@ -67,13 +67,13 @@ impl Sheet {
             drawn.extend(pinned.and_then(|pinned| linear(pinned, Pattern::Dashed, palette.pinned)));
             let small_until = findings.motion().and_then(|motion| motion.small_until);
             let beyond = small_until.map(|time| time..=duration);
-            pictures.push(Picture { beyond, ..Picture::of_time(quantity.symbol, symbol, drawn) });
+            pictures.push(PlotContent { beyond, ..PlotContent::of_time(quantity.symbol, symbol, drawn) });
         }
         let entries = legend::curves(&pictures);
         if let Some((quantities, dimension, curves)) = curves::inputs(findings, palette) {
             let symbol = quantities.first().copied().unwrap_or_default();
             let unit = dimension.symbol(LengthUnit::Metre);
-            pictures.push(Picture { quantities, ..Picture::of_time(symbol, unit, curves) });
+            pictures.push(PlotContent { quantities, ..PlotContent::of_time(symbol, unit, curves) });
         }
         for picture in &mut pictures {
             picture.x_range = Some(0.0..=duration);
@@ -104,8 +104,8 @@ impl TimePlots {
         let split = canvas.view.split;
         let (cursor, before) = (self.cursor(), self.hovered);
         let key = (CacheKey::of(canvas), chosen.clone(), split);
-        let Sheet { pictures, entries, unsplit } =
-            kept(&mut self.sheet, key, || Sheet::of(canvas, chosen, split));
+        let CachedPlots { pictures, entries, unsplit } =
+            kept(&mut self.sheet, key, || CachedPlots::of(canvas, chosen, split));
         if let Some(error) = unsplit {
             note_ui(ui, &format!("No split into modes: {error}."));
         }

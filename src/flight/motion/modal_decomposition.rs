@@ -9,7 +9,7 @@ use nalgebra::{Complex, Vector2, Vector4};
 use thiserror::Error;
 
 use super::outputs::OutputRow;
-use super::response::{Forced, PathRates, Response};
+use super::response::{DrivenSystem, PathRates, Response};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 
@@ -18,7 +18,7 @@ pub const WORST_SPLIT: f64 = 1e3;
 
 /// An output split into the parts of its modes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ModalSum {
+pub struct ModalDecomposition {
     /// One a mode, in the order of the modes: the output's values at the samples.
     pub parts: Vec<Vec<f64>>,
     /// What no mode makes: what the input does at once, and the drift of the path.
@@ -43,12 +43,12 @@ pub enum SplitError {
 }
 
 /// Splits an output of a response into the parts of the modes of its A.
-pub fn modal_sum(
+pub fn modal_decomposition(
     modes: &[Mode],
     row: &OutputRow,
-    forced: &Forced,
+    forced: &DrivenSystem,
     response: &Response,
-) -> Result<ModalSum, SplitError> {
+) -> Result<ModalDecomposition, SplitError> {
     let of_path = row.path != Vector2::zeros();
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     for mode in modes {
@@ -62,8 +62,10 @@ pub fn modal_sum(
     }
     let readings: Vec<Reading> = modes.iter().map(|mode| Reading::new(mode, row, forced)).collect();
     let count = response.states.len();
-    let mut sum =
-        ModalSum { parts: vec![Vec::with_capacity(count); modes.len()], rest: Vec::with_capacity(count) };
+    let mut sum = ModalDecomposition {
+        parts: vec![Vec::with_capacity(count); modes.len()],
+        rest: Vec::with_capacity(count),
+    };
     for (x, whole) in response.states.iter().zip(row.of(forced, response)) {
         let mut rest = whole;
         for (part, reading) in sum.parts.iter_mut().zip(&readings) {
@@ -108,7 +110,7 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    pub fn new(mode: &Mode, row: &OutputRow, forced: &Forced) -> Self {
+    pub fn new(mode: &Mode, row: &OutputRow, forced: &DrivenSystem) -> Self {
         let (v, l) = (&mode.shape, &mode.adjoint);
         let complex = |row: &Vector4<f64>| row.map(Complex::from);
         // y = c v z + k p with ṗ = K v z + P p, and all of a mode ∝ e^{λt}: p = (λ − P)⁻¹ K v z
@@ -127,7 +129,7 @@ impl Reading {
     }
 
     /// The part as an output of its own.
-    pub fn row(&self, forced: &Forced) -> OutputRow {
+    pub fn row(&self, forced: &DrivenSystem) -> OutputRow {
         OutputRow {
             states: self.states,
             path: Vector2::zeros(),

@@ -14,18 +14,18 @@ use crate::flight::aircraft::inertia::Inertia;
 
 /// Everything editable of an aircraft, starting where its source starts.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Study {
+pub enum AircraftModel {
     /// From coefficients: every slider and every knob.
-    Coefficients(CoefficientStudy),
+    Coefficients(CoefficientModel),
     /// From dimensional derivatives at one trim: every derivative.
-    Derivatives(DerivativeStudy),
+    Derivatives(DerivativeModel),
     /// From bare matrices: every entry.
-    Matrices(MatrixStudy),
+    Matrices(MatrixModel),
 }
 
 /// An aircraft given by coefficients.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CoefficientStudy<T = f64> {
+pub struct CoefficientModel<T = f64> {
     /// Mass and geometry of the reference.
     pub airframe: Airframe<T>,
     /// The source's steady flight.
@@ -42,7 +42,7 @@ pub struct CoefficientStudy<T = f64> {
 
 /// An aircraft given by dimensional derivatives.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DerivativeStudy<T = f64> {
+pub struct DerivativeModel<T = f64> {
     /// The steady flight; α₀ is not zero in body axes.
     pub trim: Trim<T>,
     /// Moments of inertia in the axes of the derivatives, where the source has them. The linear models need only the ratios
@@ -55,7 +55,7 @@ pub struct DerivativeStudy<T = f64> {
 }
 
 /// An aircraft given by its matrices.
-pub type MatrixStudy = ByPlane<Option<PlaneModel>>;
+pub type MatrixModel = ByPlane<Option<PlaneModel>>;
 
 /// The linear models of both planes. A plane without data, or with a problem, leaves the other alone.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -63,12 +63,12 @@ pub struct Models<T = f64> {
     /// The models.
     pub planes: ByPlane<Option<PlaneModel<T>>>,
     /// Why a plane that has data has no model.
-    pub problems: Vec<StudyError>,
+    pub problems: Vec<ModelError>,
 }
 
 /// Why there is no model.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum StudyError {
+pub enum ModelError {
     /// There is no such steady flight.
     Condition(#[from] ConditionError),
     /// A knob cannot stand so.
@@ -90,7 +90,7 @@ pub enum StudyError {
     },
 }
 
-impl StudyError {
+impl ModelError {
     /// The plane that it concerns; `None` where there is no such steady flight, so neither plane.
     pub const fn plane(&self) -> Option<Plane> {
         match self {
@@ -104,7 +104,7 @@ impl StudyError {
 
 /// What lies between coefficients and matrices, for showing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Derived<T = f64> {
+pub struct TrimmedModel<T = f64> {
     /// The steady flight.
     pub flight: SteadyFlight<T>,
     /// Airframe with the knobs applied.
@@ -112,10 +112,10 @@ pub struct Derived<T = f64> {
     /// Coefficients with knobs and condition applied.
     pub coefficients: Coefficients<T>,
     /// Dimensional derivatives and trim, stability axes.
-    pub derivatives: DerivativeStudy<T>,
+    pub derivatives: DerivativeModel<T>,
 }
 
-impl CoefficientStudy {
+impl CoefficientModel {
     /// An aircraft in its reference condition.
     pub fn new(
         airframe: Airframe,
@@ -128,8 +128,8 @@ impl CoefficientStudy {
     }
 
     /// The same with numbers that are constant, to put a parameter among them.
-    pub fn constant(&self) -> CoefficientStudy<Dual64> {
-        CoefficientStudy {
+    pub fn constant(&self) -> CoefficientModel<Dual64> {
+        CoefficientModel {
             airframe: self.airframe.constant(),
             reference: self.reference,
             validity: self.validity,
@@ -143,9 +143,9 @@ impl CoefficientStudy {
     }
 }
 
-impl<T: Real> CoefficientStudy<T> {
+impl<T: Real> CoefficientModel<T> {
     /// Knobs, then condition, then dimensional derivatives.
-    pub fn derive(&self) -> Result<Derived<T>, StudyError> {
+    pub fn derive(&self) -> Result<TrimmedModel<T>, ModelError> {
         let (airframe, coefficients) = self.knobs.apply(&self.airframe, &self.coefficients)?;
         let flight =
             steady_flight(&self.condition, &self.reference, &self.validity, &airframe, &coefficients)?;
@@ -159,16 +159,16 @@ impl<T: Real> CoefficientStudy<T> {
         let FlightCondition { speed, gamma0, .. } = self.condition;
         let trim = Trim { speed, alpha0: 0.0, gamma0, gravity: self.reference.gravity };
         let inertia = Some(Inertia { ix: inertia.ix, iy: airframe.iy, iz: inertia.iz, ixz: inertia.ixz });
-        let derivatives = DerivativeStudy { trim, inertia, longitudinal: Some(longitudinal), lateral };
-        Ok(Derived { flight, airframe, coefficients, derivatives })
+        let derivatives = DerivativeModel { trim, inertia, longitudinal: Some(longitudinal), lateral };
+        Ok(TrimmedModel { flight, airframe, coefficients, derivatives })
     }
 }
 
-impl DerivativeStudy {
+impl DerivativeModel {
     /// The same with numbers that are constant, to put a parameter among them.
-    pub fn constant(&self) -> DerivativeStudy<Dual64> {
+    pub fn constant(&self) -> DerivativeModel<Dual64> {
         let Trim { speed, alpha0, gamma0, gravity } = self.trim;
-        DerivativeStudy {
+        DerivativeModel {
             trim: Trim { speed: speed.into(), alpha0, gamma0: gamma0.into(), gravity },
             inertia: self.inertia.as_ref().map(constant),
             longitudinal: self.longitudinal.as_ref().map(constant),
@@ -177,7 +177,7 @@ impl DerivativeStudy {
     }
 }
 
-impl<T: Real> DerivativeStudy<T> {
+impl<T: Real> DerivativeModel<T> {
     /// The models; a problem of one plane leaves the other.
     pub fn models(&self) -> Models<T> {
         let mut models =
@@ -185,7 +185,7 @@ impl<T: Real> DerivativeStudy<T> {
         if let Some(d) = &self.longitudinal {
             let denominator = 1.0 - d.z_wdot.re();
             let made = if denominator.abs() < 1e-9 {
-                Err(StudyError::Heave { denominator })
+                Err(ModelError::Heave { denominator })
             } else {
                 finite(longitudinal_model(d, &self.trim))
             };
@@ -196,7 +196,7 @@ impl<T: Real> DerivativeStudy<T> {
             let made = if ratio < 1.0 {
                 finite(lateral_model(d, &self.trim))
             } else {
-                Err(StudyError::Inertia { ratio })
+                Err(ModelError::Inertia { ratio })
             };
             models.planes.lateral = models.kept(made);
         }
@@ -205,7 +205,7 @@ impl<T: Real> DerivativeStudy<T> {
 }
 
 impl<T: Real> Models<T> {
-    fn kept(&mut self, made: Result<PlaneModel<T>, StudyError>) -> Option<PlaneModel<T>> {
+    fn kept(&mut self, made: Result<PlaneModel<T>, ModelError>) -> Option<PlaneModel<T>> {
         match made {
             Ok(model) => Some(model),
             Err(problem) => {
@@ -216,20 +216,21 @@ impl<T: Real> Models<T> {
     }
 }
 
-fn finite<T: Real>(model: PlaneModel<T>) -> Result<PlaneModel<T>, StudyError> {
+fn finite<T: Real>(model: PlaneModel<T>) -> Result<PlaneModel<T>, ModelError> {
     let good = model.a.iter().chain(&model.b).all(|x| x.re().is_finite());
-    if good { Ok(model) } else { Err(StudyError::NotFinite { plane: model.plane }) }
+    if good { Ok(model) } else { Err(ModelError::NotFinite { plane: model.plane }) }
 }
 
-impl Study {
+impl AircraftModel {
     /// The linear models. An error means that there is no such steady flight, so neither plane has a model.
-    pub fn models(&self) -> Result<Models, StudyError> {
+    pub fn models(&self) -> Result<Models, ModelError> {
         match self {
-            Self::Coefficients(study) => Ok(study.derive()?.derivatives.models()),
-            Self::Derivatives(study) => Ok(study.models()),
-            Self::Matrices(study) => {
+            Self::Coefficients(aircraft_model) => Ok(aircraft_model.derive()?.derivatives.models()),
+            Self::Derivatives(aircraft_model) => Ok(aircraft_model.models()),
+            Self::Matrices(aircraft_model) => {
                 let mut models = Models::default();
-                models.planes = study.clone().map(|model| model.and_then(|m| models.kept(finite(m))));
+                models.planes =
+                    aircraft_model.clone().map(|model| model.and_then(|m| models.kept(finite(m))));
                 Ok(models)
             }
         }
@@ -237,10 +238,10 @@ impl Study {
 
     /// The same aircraft with its dimensional derivatives free: from coefficients they are derived once and the knobs
     /// are left behind. Bare matrices have no derivatives.
-    pub fn to_derivatives(&self) -> Result<Option<DerivativeStudy>, StudyError> {
+    pub fn to_derivatives(&self) -> Result<Option<DerivativeModel>, ModelError> {
         match self {
-            Self::Coefficients(study) => Ok(Some(study.derive()?.derivatives)),
-            Self::Derivatives(study) => Ok(Some(study.clone())),
+            Self::Coefficients(aircraft_model) => Ok(Some(aircraft_model.derive()?.derivatives)),
+            Self::Derivatives(aircraft_model) => Ok(Some(aircraft_model.clone())),
             Self::Matrices(_) => Ok(None),
         }
     }

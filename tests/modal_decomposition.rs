@@ -7,7 +7,7 @@ use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::analysis::Motion;
 use eigenwing::flight::modes::mode::{Mode, modes};
-use eigenwing::flight::motion::modal_sum::{SplitError, WORST_SPLIT};
+use eigenwing::flight::motion::modal_decomposition::{SplitError, WORST_SPLIT};
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::scenario::{Parameter, Scenario, Source};
 use eigenwing::words;
