@@ -386,7 +386,7 @@ test("with everything open an idle page draws nothing, and a drag is timed", asy
 
   const press = (locator) => locator.dispatchEvent("click");
   await page.keyboard.press("g");
-  for (const mode of ["Short period", "Phugoid"]) {
+  for (const mode of ["short period", "phugoid"]) {
     for (const name of [`Shape of the ${mode}`, `Level of the ${mode}`, `Approximations of the ${mode}`]) await press(button(name));
   }
   for (const name of ["Level boundaries", "Textbook approximations"]) await press(page.getByLabel(name, { exact: true }).or(button(name)).first());
