@@ -141,7 +141,7 @@ fn what_cannot_be_flown_says_so_and_still_moves() {
     let file = include_str!("data/matrices/lateral.csv").to_owned();
     let source = Source::Matrices { file: "lateral.csv".to_owned(), text: file, format: MatrixFormat::Csv };
     let request = ResponseRequest { nonlinear: true, ..ResponseRequest::default() };
-    let scenario = Subject { source, set: Vec::new() }.scenario().expect("bare matrices");
+    let scenario = Subject { source, ..Subject::listed("") }.scenario().expect("bare matrices");
     let report = respond(&scenario, &request).expect("a linear motion");
     let Some(FlightOutcome::Refused { error }) = &report.nonlinear else { panic!("{:?}", report.nonlinear) };
     assert!(error.starts_with("this aircraft is given by its matrices"), "{error}");

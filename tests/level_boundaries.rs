@@ -61,7 +61,8 @@ fn the_lines_give_the_levels_that_the_verdicts_give() {
                 for &category in Category::VALUES {
                     let boundaries =
                         level_boundaries(&analysis.model, &analysis.modes, Task { class, category });
-                    for verdict in handling_qualities(&analysis.model, &analysis.modes, class, category) {
+                    let task = Task { class, category };
+                    for verdict in handling_qualities(&analysis.model, &analysis.modes, task) {
                         let name = verdict.criterion.concerns();
                         let Some(mode) = analysis.modes.iter().find(|mode| mode.naming.name == name) else {
                             continue;
@@ -74,7 +75,7 @@ fn the_lines_give_the_levels_that_the_verdicts_give() {
                         }
                         let level = level_by_lines(&boundaries, verdict.criterion, mode.lambda);
                         assert_eq!(
-                            level,
+                            Some(level),
                             verdict.level,
                             "{name:?} {class:?} {category:?} {}",
                             words::verdict::sentence(&verdict)

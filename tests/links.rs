@@ -5,6 +5,9 @@ use std::sync::{Arc, LazyLock};
 use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
 use eigenwing::flight::aircraft::plane::{ByPlane, Plane};
 use eigenwing::flight::motion::outputs::Output;
+use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class};
+use eigenwing::flight::verdicts::task::Task;
+use eigenwing::key::Keyed as _;
 use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
 use eigenwing::scenario::view::{
     Camera, Details, FlightView, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
@@ -143,6 +146,7 @@ prop_compose! {
         shapes in prop::array::uniform4(any::<Index>()),
         modes in prop::array::uniform2(0_usize..4),
         follows in any::<bool>(),
+        task in prop::option::of((any::<Index>(), any::<Index>())),
         (view, page) in views(),
     ) -> (Scenario, View, Option<Scenario>) {
         let mut scene = Scenario::new(of.get(&AIRCRAFT).clone());
@@ -158,6 +162,9 @@ prop_compose! {
             choice.mode = modes[i];
         }
         scene.disturbance.follows = follows;
+        if let Some((class, category)) = task {
+            scene.task = Some(Task { class: *class.get(Class::VALUES), category: *category.get(Category::VALUES) });
+        }
         let pinned = of_pinned.map(|of| {
             let mut pinned = Scenario::new(of.get(&AIRCRAFT).clone());
             apply(&mut pinned, &on_pinned);
@@ -194,7 +201,7 @@ proptest! {
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
             .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
-                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop"]).collect();
+                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
@@ -426,6 +433,8 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
     let found = match pinned.unwrap_or(key) {
         "ac" => scenario.aircraft.key.clone(),
         "plane" => format!("{:?}", scenario.plane).to_lowercase(),
+        "class" => scenario.task.map_or("none", |task| task.class.key()).to_owned(),
+        "category" => scenario.task.map_or("none", |task| task.category.key()).to_owned(),
         "lon" => of_plane(Plane::Longitudinal),
         "lat" => of_plane(Plane::Lateral),
         "page" => opened.view.page.text().to_owned(),

@@ -47,10 +47,8 @@ fn a_real_root_that_grows_alone_is_what_a_negative_determinant_means() {
             growing.iter().filter(|m| !m.is_oscillatory() && m.stability == Stability::Unstable).count();
         let found = plane_static_stability(&StabilityAxes::of(&model), None);
         assert_eq!(found.determinant > 0.0, growing % 2 == 0, "{id}");
-        if model.plane == Plane::Longitudinal {
-            let expected = if growing == 0 { Stability::Stable } else { Stability::Unstable };
-            assert_eq!(found.verdict, expected, "{id}");
-        }
+        let expected = if growing % 2 == 0 { Stability::Stable } else { Stability::Unstable };
+        assert_eq!(found.of_determinant, expected, "{id}");
     }
 }
 
@@ -62,9 +60,14 @@ fn the_navion_is_neutral_at_no_stiffness_and_manoeuvres_until_the_manoeuvre_poin
             None,
         )
     };
-    let verdicts = [1.0, 1e-9, 0.0, -1e-9].map(|factor| at(factor).verdict);
     use Stability::{Neutral, Stable, Unstable};
-    assert_eq!(verdicts, [Stable, Stable, Neutral, Unstable]);
+    let determinants = [1.0, 1e-9, 0.0, -1e-9].map(|factor| at(factor).of_determinant);
+    assert_eq!(determinants, [Stable, Stable, Neutral, Unstable]);
+    let verdicts = [1.0, 1e-9, -1e-9].map(|factor| at(factor).verdict);
+    assert_eq!(verdicts, [Stable, Stable, Unstable]);
+    let PlaneStiffness::Longitudinal { m_w, .. } = at(0.0).stiffness else { panic!("pitch") };
+    // What is left is the rounding of entries that are 1.8 in size.
+    assert!(m_w.value.abs() < 1e-11 * NAVION_M_W.abs(), "{}", m_w.value);
     let PlaneStiffness::Longitudinal { to_manoeuvre_point, .. } = at(1.0).stiffness else { panic!("pitch") };
     // Mw = Zw Mq/V = +0.023887 1/(ft·s)
     let point = NAVION_M_W + to_manoeuvre_point.expect("a speed");
@@ -162,7 +165,10 @@ fn stiffnesses_are_the_derivatives_where_there_are_any() {
     // An entry that was edited belongs to no derivative.
     row("a_qw").set(&mut scenario, 0.01);
     let (m_w, found) = pitch(&scenario);
-    assert!(!found.is_plain && (m_w.value - 0.01).abs() < 1e-12);
+    // M_ẇ = A_qu/Z_u, as M_u of the Navion is zero: the stiffness is the entry without M_ẇ Z_w.
+    let [m_u, z_u, z_w] = ["a_qu", "a_wu", "a_ww"].map(|key| row(key).get(&scenario));
+    assert!(!found.is_plain && (m_w.value - (0.01 - m_u * z_w / z_u)).abs() < 1e-12, "{}", m_w.value);
+    assert_eq!(m_w.verdict, Stability::Stable);
 }
 
 #[test]
@@ -191,5 +197,27 @@ proptest! {
             PlaneStiffness::Longitudinal { m_w, to_manoeuvre_point } => prop_assert!(m_w.value.is_finite() && to_manoeuvre_point.is_none_or(f64::is_finite)),
             PlaneStiffness::Lateral { n_v, l_v, spiral } => prop_assert!([n_v, l_v, spiral].iter().all(|s| s.value.is_finite())),
         }
+    }
+}
+
+/// Behind the neutral point the nose goes on up, whatever det A says: two real roots grow, and their product is positive.
+#[test]
+fn a_positive_determinant_is_not_static_stability() {
+    for (key, parameter, value) in [("b747-cruise-etkin", "cg", 0.3), ("x15", "m_w", 0.019)] {
+        let aircraft = embedded_aircraft().0.into_iter().find(|one| one.key == key).expect("it ships");
+        let mut scenario = Scenario::new(Arc::new(aircraft));
+        Parameter::find(parameter).expect("a row").set(&mut scenario, value);
+        let analysis = scenario.analyse().expect("an analysis");
+        let pitch = analysis.planes.longitudinal.as_ref().expect("data").as_ref().expect("modes");
+        let found = pitch.static_stability;
+        assert!(found.determinant > 0.0, "{key}");
+        assert_eq!((found.verdict, found.of_determinant), (Stability::Unstable, Stability::Stable), "{key}");
+        let sentence = eigenwing::words::stability::static_sentence(
+            pitch,
+            analysis.margins,
+            scenario.aircraft.length_unit,
+        );
+        assert!(sentence.starts_with("Statically unstable in pitch: "), "{sentence}");
+        assert!(sentence.contains("det A is positive since two real roots grow"), "{sentence}");
     }
 }

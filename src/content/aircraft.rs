@@ -4,7 +4,7 @@ pub use super::published::{Published, PublishedMode, Quantity};
 pub use super::reader::ContentError;
 use crate::flight::aircraft::aircraft_model::{AircraftModel, DerivativeModel, Models};
 use crate::flight::aircraft::plane::ByPlane;
-use crate::flight::verdicts::mil_f_8785c::{Category, Class};
+use crate::flight::verdicts::task::Task;
 use crate::key::keys;
 
 /// An aircraft in one flight condition.
@@ -34,10 +34,8 @@ pub struct Aircraft {
     pub plane_notes: ByPlane<Option<PlaneNotes>>,
     /// Mass and geometry as far as the source has them, SI, for drawing and reading; the study computes with its own.
     pub particulars: Particulars,
-    /// Class of MIL-F-8785C, our assignment.
-    pub class: Option<Class>,
-    /// Flight-phase category of MIL-F-8785C, our assignment.
-    pub phase: Option<Category>,
+    /// Class and flight-phase category of MIL-F-8785C, our assignment.
+    pub task: Option<Task>,
     /// Remarks for a reader of the source: misprints, what is estimated, what is our assignment. A sentence or two each.
     pub notes: Vec<String>,
 }

@@ -14,6 +14,7 @@ use crate::flight::aircraft::inertia::Inertia;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::analysis::STANDARD_GRAVITY;
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
+use crate::flight::verdicts::task::Task;
 
 /// The numbers that a file starts from.
 #[derive(Clone, Copy)]
@@ -45,8 +46,12 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let basis = file.choice("basis", &BASES)?;
     let units = file.choice("units", &UnitSystem::NAMES)?;
     file.choice("angles", &[("rad", ())])?;
-    let class = file.optional_key::<Class>("class")?;
-    let phase = file.optional_key::<Category>("phase")?;
+    let task = match (file.optional_key::<Class>("class")?, file.optional_key::<Category>("phase")?) {
+        (Some(class), Some(category)) => Some(Task { class, category }),
+        (None, None) => None,
+        (Some(_), None) => return Err(file.error("class", "expected phase beside it: a level needs both")),
+        (None, Some(_)) => return Err(file.error("phase", "expected class beside it: a level needs both")),
+    };
     let source = file.text("source")?;
     let mut notes = Vec::from_iter(file.optional_text("note")?);
 
@@ -89,8 +94,7 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         aircraft_model,
         plane_notes,
         particulars,
-        class,
-        phase,
+        task,
         notes,
     })
 }
@@ -197,8 +201,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         aircraft_model,
         baseline,
         particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },
-        class: None,
-        phase: None,
+        task: None,
         notes: Vec::new(),
     })
 }

@@ -48,8 +48,8 @@ impl AircraftReport {
             status: aircraft.status.key(),
             status_reason: aircraft.status_reason.clone(),
             notes: aircraft.notes.clone(),
-            class: aircraft.class.map(Keyed::key),
-            phase: aircraft.phase.map(Keyed::key),
+            class: aircraft.task.map(|task| task.class.key()),
+            phase: aircraft.task.map(|task| task.category.key()),
             planes: Plane::ALL
                 .into_iter()
                 .filter(|plane| models.planes[*plane].is_some())

@@ -20,7 +20,7 @@ use crate::findings::Findings;
 use crate::scenario::Scenario;
 
 /// The fields of a request that say which aircraft.
-const SUBJECT: [&str; 6] = ["aircraft", "toml", "matrices", "format", "file", "set"];
+const SUBJECT: [&str; 8] = ["aircraft", "toml", "matrices", "format", "file", "set", "class", "category"];
 
 /// Which aircraft, and what is set on it: one of `aircraft`, `toml` and `matrices`.
 #[derive(Deserialize)]
@@ -41,6 +41,12 @@ pub(super) struct SubjectForm {
     #[serde(default)]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     set: BTreeMap<String, f64>,
+    /// Class of aircraft that levels are judged for; that of the aircraft's file without one.
+    #[cfg_attr(test, ts(optional, type = "AircraftClass"))]
+    class: Option<String>,
+    /// Category of flight phase that levels are judged for.
+    #[cfg_attr(test, ts(optional, type = "FlightPhase"))]
+    category: Option<String>,
 }
 
 /// A request with nothing beside its aircraft.
@@ -131,6 +137,11 @@ impl SubjectForm {
                 return wrong("expected one of aircraft, toml and matrices, and format beside matrices only");
             }
         };
-        Ok(Subject { source, set: self.set.into_iter().collect() })
+        Ok(Subject {
+            source,
+            set: self.set.into_iter().collect(),
+            class: self.class,
+            category: self.category,
+        })
     }
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::flight::verdicts::handling_qualities::Verdict;
+use crate::flight::verdicts::overall_level::OverallLevel;
 use crate::key::Keyed;
 use crate::words;
 
@@ -15,11 +16,14 @@ pub struct LevelReport {
     /// Key of the criterion.
     #[cfg_attr(test, ts(type = "CriterionKey"))]
     pub criterion_key: &'static str,
-    /// The level in words.
-    pub level: &'static str,
+    /// Keys of the modes that are judged.
+    #[cfg_attr(test, ts(type = "Array<ModeKey>"))]
+    pub modes: Vec<&'static str>,
+    /// The level in words; null where the oscillation that the requirement is on is gone.
+    pub level: Option<&'static str>,
     /// Key of the level.
-    #[cfg_attr(test, ts(type = "LevelKey"))]
-    pub level_key: &'static str,
+    #[cfg_attr(test, ts(type = "LevelKey | null"))]
+    pub level_key: Option<&'static str>,
     /// Whether a value equals a limit to three digits.
     pub on_boundary: bool,
     /// Paragraph of MIL-F-8785C.
@@ -50,11 +54,12 @@ impl LevelReport {
         Self {
             criterion: words::verdict::criterion(verdict.criterion),
             criterion_key: verdict.criterion.key(),
-            level: words::verdict::level(verdict.level),
-            level_key: verdict.level.key(),
+            modes: verdict.modes.iter().map(|name| name.key()).collect(),
+            level: verdict.level.map(words::verdict::level),
+            level_key: verdict.level.map(Keyed::key),
             on_boundary: verdict.on_boundary,
             paragraph: verdict.criterion.paragraph(),
-            table: words::verdict::source(verdict.criterion.source(verdict.category)),
+            table: words::verdict::source(verdict.criterion.source(verdict.task.category)),
             values: verdict
                 .values
                 .iter()
@@ -65,6 +70,47 @@ impl LevelReport {
                 })
                 .collect(),
             sentence: words::verdict::sentence(verdict),
+        }
+    }
+}
+
+/// The level of an aircraft as a whole.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "OverallLevel"))]
+pub struct OverallLevelReport {
+    /// The level in words.
+    pub level: &'static str,
+    /// Key of the level.
+    #[cfg_attr(test, ts(type = "LevelKey"))]
+    pub level_key: &'static str,
+    /// Key of the criterion that governs it.
+    #[cfg_attr(test, ts(type = "CriterionKey"))]
+    pub criterion_key: &'static str,
+    /// Class of MIL-F-8785C that it is judged for.
+    #[cfg_attr(test, ts(type = "AircraftClass"))]
+    pub class: &'static str,
+    /// Category of flight phase that it is judged for.
+    #[cfg_attr(test, ts(type = "FlightPhase"))]
+    pub category: &'static str,
+    /// Keys of the modes that grow and that no paragraph judges.
+    #[cfg_attr(test, ts(type = "Array<ModeKey>"))]
+    pub unjudged: Vec<&'static str>,
+    /// The level and what sets it, in one sentence.
+    pub sentence: String,
+}
+
+impl OverallLevelReport {
+    /// An overall level as it is told.
+    pub fn of(overall: &OverallLevel<'_>) -> Self {
+        let task = overall.governing.task;
+        Self {
+            level: words::verdict::level(overall.level),
+            level_key: overall.level.key(),
+            criterion_key: overall.governing.criterion.key(),
+            class: task.class.key(),
+            category: task.category.key(),
+            unjudged: overall.unjudged.iter().map(|name| name.key()).collect(),
+            sentence: format!("{} ({})", words::verdict::overall(overall), words::verdict::task(task)),
         }
     }
 }

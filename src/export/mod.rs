@@ -37,7 +37,7 @@ pub use aircraft::AircraftReport;
 pub use approximation::{ApproximationReport, ValueReport};
 pub use flown::{FlightOutcome, FlightReport, StopReport};
 pub use frequency::{FREQUENCIES, FrequencyReport, FrequencyRequest, GainPeak, Measured, frequency};
-pub use level::{JudgedReport, LevelReport};
+pub use level::{JudgedReport, LevelReport, OverallLevelReport};
 pub use list::{ParameterReport, list, parameters_of};
 pub use metrics::{MetricsReport, OutputMetricsReport, PeakReport};
 pub use mode::ModeReport;
@@ -83,6 +83,7 @@ fn of_analysis(analysis: &Analysis) -> Value {
         "lateral": of(Plane::Lateral),
         "static_margin": analysis.margins.map(|margins| margins.static_margin),
         "manoeuvre_margin": analysis.margins.map(|margins| margins.manoeuvre_margin),
+        "overall_level": analysis.overall_level().map(|overall| words::verdict::overall(&overall)),
         "gravity_is_plausible": analysis.gravity.map(|gravity| gravity.is_plausible()),
         "response": analysis.motion.as_ref().map(of_motion),
     })

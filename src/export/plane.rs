@@ -62,12 +62,13 @@ pub struct TrimReport {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StaticStability"))]
 pub struct StaticReport {
-    /// `stable`, `neutral` or `unstable`, from the sign of det A.
+    /// `stable`, `neutral` or `unstable`: of the pitch stiffness, or the worse of those in yaw and roll.
     #[cfg_attr(test, ts(type = "Stability"))]
     pub verdict: &'static str,
     /// det A.
     pub determinant: f64,
-    /// Whether the stiffnesses are derivatives as such; else entries of A, with ẇ terms or product of inertia folded in.
+    /// Whether the stiffnesses are derivatives as such; else they are found from A: M_w as if M_u were zero, the others with the
+    /// product of inertia folded in.
     pub plain_derivatives: bool,
     /// The stiffnesses.
     #[serde(flatten)]

@@ -3,11 +3,13 @@
 use serde::Serialize;
 
 use super::aircraft::AircraftReport;
+use super::level::OverallLevelReport;
 use super::plane::PlaneReport;
 use super::subject::set_on;
 use crate::findings::Findings;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::{Analysis, AnalysisError};
+use crate::words;
 
 /// The analysis of an aircraft.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -15,6 +17,8 @@ use crate::flight::{Analysis, AnalysisError};
 pub struct Report {
     /// The aircraft.
     pub aircraft: AircraftReport,
+    /// How far its numbers can be trusted as they are set, in words: the aircraft's own status is that of its file.
+    pub status_now: String,
     /// The unit of every number below, by the name of its field; numbers without one are ratios.
     #[cfg_attr(test, ts(type = "Record<string, string>"))]
     pub units: Units,
@@ -29,6 +33,8 @@ pub struct Report {
     pub static_margin: Option<f64>,
     /// Manoeuvre margin in mean chords.
     pub manoeuvre_margin: Option<f64>,
+    /// The level of handling qualities as a whole; null where nothing is judged.
+    pub overall_level: Option<OverallLevelReport>,
     /// False where gravity and speed of the model can't belong to one system of units.
     pub gravity_is_plausible: Option<bool>,
 }
@@ -108,14 +114,17 @@ impl PlaneOutcome {
 pub fn analyse(findings: &Findings) -> Result<Report, AnalysisError> {
     let analysis = findings.analysis().as_ref().map_err(Clone::clone)?;
     let &Analysis { margins, gravity, .. } = analysis;
+    let aircraft = &findings.scenario().aircraft;
     Ok(Report {
-        aircraft: AircraftReport::of(&findings.scenario().aircraft),
+        aircraft: AircraftReport::of(aircraft),
+        status_now: words::status::sentence(&aircraft.name, aircraft.status, findings.scenario().is_edited()),
         units: Units,
         set: set_on(findings.scenario()),
         longitudinal: analysis.planes.longitudinal.as_ref().map(PlaneOutcome::of),
         lateral: analysis.planes.lateral.as_ref().map(PlaneOutcome::of),
         static_margin: margins.map(|Margins { static_margin, .. }| static_margin),
         manoeuvre_margin: margins.map(|Margins { manoeuvre_margin, .. }| manoeuvre_margin),
+        overall_level: analysis.overall_level().map(|overall| OverallLevelReport::of(&overall)),
         gravity_is_plausible: gravity.map(|gravity| gravity.is_plausible()),
     })
 }

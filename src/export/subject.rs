@@ -9,6 +9,7 @@ use crate::content::{Aircraft, ContentError, FILES, MatrixFormat};
 use crate::flight::AnalysisError;
 use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::verdicts::task::Task;
 use crate::key::Keyed;
 use crate::number::significant;
 use crate::scenario::{Parameter, Scenario, ValueError, parameters};
@@ -44,6 +45,10 @@ pub struct Subject {
     /// Keys of the table of parameters and their values \[SI, radians\]. They are set in the order of that table, coefficients
     /// before what follows from them, so that each ends at its value.
     pub set: Vec<(String, f64)>,
+    /// Key of the class of aircraft that levels are judged for; that of the aircraft's file without one.
+    pub class: Option<String>,
+    /// Key of the category of flight phase that levels are judged for.
+    pub category: Option<String>,
 }
 
 /// Error of a request that can't be answered, in one sentence.
@@ -122,7 +127,7 @@ fn did_you_mean(nearest: &Option<String>) -> String {
 impl Subject {
     /// An aircraft of the list as it is.
     pub fn listed(key: &str) -> Self {
-        Self { source: Source::Listed(key.to_owned()), set: Vec::new() }
+        Self { source: Source::Listed(key.to_owned()), set: Vec::new(), class: None, category: None }
     }
 
     /// The aircraft with its parameters set.
@@ -139,8 +144,24 @@ impl Subject {
             let value = checked(&scenario, parameter, value)?;
             parameter.set(&mut scenario, value);
         }
+        if self.class.is_some() || self.category.is_some() {
+            let usual = scenario.task.unwrap_or_default();
+            scenario.task = Some(Task {
+                class: chosen(self.class.as_deref(), "class", usual.class)?,
+                category: chosen(self.category.as_deref(), "category", usual.category)?,
+            });
+        }
         Ok(scenario)
     }
+}
+
+/// The value of a key in a request, or `usual` without one.
+fn chosen<T: Keyed>(key: Option<&str>, field: &str, usual: T) -> Result<T, ExportError> {
+    let Some(key) = key else { return Ok(usual) };
+    T::by_key(key).ok_or_else(|| {
+        let keys: Vec<&str> = T::VALUES.iter().map(|value| value.key()).collect();
+        ExportError::Request(format!("{field}: expected one of {}, found \"{key}\"", keys.join(", ")))
+    })
 }
 
 /// What is set on an aircraft \[SI\]: every parameter that differs from its file. What is an offset on what follows from others has

@@ -241,7 +241,7 @@ impl Findings {
     /// The limits of the handling-quality levels in the complex plane; none where the aircraft has no class.
     pub fn level_boundaries(&self) -> &[Boundary] {
         self.level_boundaries.get_or_init(|| {
-            let judged = self.scenario.task().zip(self.plane());
+            let judged = self.scenario.task.zip(self.plane());
             judged.map_or_else(Vec::new, |(task, plane)| level_boundaries(&plane.model, &plane.modes, task))
         })
     }

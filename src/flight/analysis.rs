@@ -17,6 +17,7 @@ use super::motion::modal_decomposition::{ModalDecomposition, SplitError, modal_d
 use super::motion::outputs::Output;
 use super::motion::response::{DrivenSystem, Response, respond};
 use super::verdicts::handling_qualities::{Verdict, handling_qualities};
+use super::verdicts::overall_level::{OverallLevel, overall_level};
 use super::verdicts::static_stability::{
     PlaneStaticStability, manoeuvre_margin, plane_static_stability, static_margin,
 };
@@ -117,6 +118,14 @@ pub struct Analysis {
     pub motion: Option<Motion>,
 }
 
+impl Analysis {
+    /// The level of handling qualities as a whole, of the planes that could be analysed; `None` where nothing is judged.
+    pub fn overall_level(&self) -> Option<OverallLevel<'_>> {
+        let analysed = self.planes.iter().filter_map(|plane| plane.as_ref()?.as_ref().ok());
+        overall_level(analysed.map(|plane| (plane.levels.as_slice(), plane.modes.as_slice())))
+    }
+}
+
 /// Why something can't be analysed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AnalysisError {
@@ -170,8 +179,7 @@ fn analyse_plane(
         dynamic_stability: modes.iter().map(|mode| mode.stability).max().unwrap_or_default(),
         static_stability: plane_static_stability(&stability_axes, derivatives.as_ref()),
         approximations: approximations(&stability_axes, lag, &modes),
-        levels: task
-            .map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task.class, task.category)),
+        levels: task.map_or_else(Vec::new, |task| handling_qualities(&model, &modes, task)),
         modes,
         model,
     })

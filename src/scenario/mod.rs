@@ -33,14 +33,17 @@ pub struct Scenario {
     pub plane: Plane,
     /// What disturbs it, and for how long it is watched.
     pub disturbance: Disturbance,
+    /// Class of aircraft and phase of flight that handling qualities are judged for; without one they aren't.
+    pub task: Option<Task>,
 }
 
 /// Compared many times in every frame, nearly always with one of the same aircraft.
 impl PartialEq for Scenario {
     fn eq(&self, other: &Self) -> bool {
-        let Self { aircraft, edited, plane, disturbance } = self;
+        let Self { aircraft, edited, plane, disturbance, task } = self;
         *plane == other.plane
             && *disturbance == other.disturbance
+            && *task == other.task
             && *edited == other.edited
             && (Arc::ptr_eq(aircraft, &other.aircraft) || *aircraft == other.aircraft)
     }
@@ -52,6 +55,7 @@ impl Scenario {
         let has_longitudinal = aircraft.plane_notes.longitudinal.is_some();
         Self {
             edited: EditedModel::new(aircraft.aircraft_model.clone()),
+            task: aircraft.task,
             aircraft,
             plane: if has_longitudinal { Plane::Longitudinal } else { Plane::Lateral },
             disturbance: Disturbance::default(),
@@ -78,13 +82,8 @@ impl Scenario {
             || self.edited.offsets != Offsets::default()
     }
 
-    /// The task for which handling qualities are judged, where the aircraft's file names one.
-    pub fn task(&self) -> Option<Task> {
-        Some(Task { class: self.aircraft.class?, category: self.aircraft.phase? })
-    }
-
     /// Everything that follows from it.
     pub fn analyse(&self) -> Result<Analysis, AnalysisError> {
-        analyse(&self.edited, self.task(), &self.experiment())
+        analyse(&self.edited, self.task, &self.experiment())
     }
 }

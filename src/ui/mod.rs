@@ -15,6 +15,7 @@ mod keys;
 mod labels;
 mod mode_cards;
 mod number_field;
+mod overall_level;
 mod palette;
 mod phasors;
 mod poles;

@@ -17,7 +17,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::handling_qualities::{Level, Verdict};
-use crate::flight::verdicts::mil_f_8785c::Category;
+use crate::flight::verdicts::task::Task;
 use crate::key::Keyed as _;
 use crate::number::{eigenvalue, significant};
 use crate::scenario::view::Details;
@@ -28,7 +28,14 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>,
     verdict_ui(ui, &words::stability::dynamic_sentence(plane), plane.dynamic_stability)
         .on_hover_text(words::stability::DYNAMIC_MEANING);
     let of_static = &plane.static_stability;
-    verdict_ui(ui, &words::stability::static_sentence(of_static, margins, length), of_static.verdict)
+    // Amber where the stiffness points back and a real root grows all the same through the terms of speed.
+    let tone = match (of_static.verdict, of_static.of_determinant) {
+        (Stability::Stable, Stability::Unstable) if plane.model.plane == Plane::Longitudinal => {
+            Stability::Neutral
+        }
+        (verdict, _) => verdict,
+    };
+    verdict_ui(ui, &words::stability::static_sentence(plane, margins, length), tone)
         .on_hover_text(words::stability::static_meaning(of_static));
 }
 
@@ -228,30 +235,26 @@ fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<S
     };
     let mark = if details.levels { "▾" } else { "▸" };
     let level = match worst(plane, mode) {
-        Some((level, category)) => {
-            Some(format!("{} {} {mark}", words::verdict::level(level), category.letter()))
+        Some((level, task)) => {
+            Some(format!("{} {} {mark}", words::verdict::level(level), task.category.letter()))
         }
         None => (!plane.levels.is_empty()).then(|| NO_LEVEL.to_owned()),
     };
     [Some(stability.to_owned()), level]
 }
 
-/// The worst level that a mode has, and the category of flight phase that it is judged for.
-fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<(Level, Category)> {
-    judged(plane, mode).map(|verdict| (verdict.level, verdict.category)).max_by_key(|worst| worst.0)
+/// The worst level that a mode has, and the task that it is judged for.
+fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<(Level, Task)> {
+    judged(plane, mode).filter_map(|verdict| Some((verdict.level?, verdict.task))).max_by_key(|worst| worst.0)
 }
 
 fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
     let [stability, short] = chip_texts(plane, mode, *details);
     chip_ui(ui, stability.unwrap_or_default(), Palette::of(ui).verdict(mode.stability));
-    if let Some(((level, category), short)) = worst(plane, mode).zip(short) {
-        let (color, ground) = Palette::of(ui).verdict(match level {
-            Level::One => Stability::Stable,
-            Level::Two => Stability::Neutral,
-            Level::Three | Level::Beyond => Stability::Unstable,
-        });
+    if let Some(((level, task), short)) = worst(plane, mode).zip(short) {
+        let (color, ground) = Palette::of(ui).verdict(tone(level));
         let mark = if details.levels { "▾" } else { "▸" };
-        let long = format!("{} · Cat {} {mark}", words::verdict::level(level), category.letter());
+        let long = format!("{} · Cat {} {mark}", words::verdict::level(level), task.category.letter());
         let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(theme::sizes(ui).chip), color);
         let fits = galley.size().x + 2.0 * CHIP_MARGIN <= ui.available_width();
         let text = RichText::new(if fits { long } else { short })
@@ -264,18 +267,20 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
             chip.accessible_name(format!("Level of the {}", words::mode::in_a_sentence(mode.naming.name)));
         hold_place(ui, &chip, mode.naming.name, "levels");
         let hover = format!(
-            "{}. Press to see which paragraphs of MIL-F-8785C set the level.",
-            words::verdict::category_with_phases(category)
+            "{}. {}. Press to see which paragraphs of MIL-F-8785C set the level.",
+            words::verdict::class_with_aircraft(task.class),
+            words::verdict::category_with_phases(task.category)
         );
         if chip.on_hover_text(hover).clicked() {
             details.levels = !details.levels;
         }
     } else if !plane.levels.is_empty() {
         let text = RichText::new(NO_LEVEL).font(theme::small()).color(Palette::of(ui).weak);
-        ui.label(text).on_hover_text(
-            "The tables of MIL-F-8785C judge no mode of this kind: only a pair, or two roots that both die away \
-             or both grow.",
+        let hover = judged(plane, mode).next().map_or_else(
+            || "MIL-F-8785C has no requirement on a mode of this kind.".to_owned(),
+            words::verdict::sentence,
         );
+        ui.label(text).on_hover_text(hover);
     }
 }
 
@@ -288,10 +293,19 @@ fn chip_ui(ui: &mut Ui, text: String, (color, ground): (Color32, Color32)) {
     );
 }
 
+/// The colour of a level, as that of a verdict on stability.
+pub const fn tone(level: Level) -> Stability {
+    match level {
+        Level::One => Stability::Stable,
+        Level::Two => Stability::Neutral,
+        Level::Three | Level::Beyond => Stability::Unstable,
+    }
+}
+
 /// The verdicts on handling qualities that concern a mode.
 fn judged<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<Item = &'a Verdict> {
     let name = mode.naming.name;
-    plane.levels.iter().filter(move |verdict| verdict.criterion.judges(name))
+    plane.levels.iter().filter(move |verdict| verdict.modes.contains(&name))
 }
 
 fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {

@@ -11,6 +11,7 @@ use super::theme::{self, Look, Palette};
 use crate::content::{Aircraft, Status};
 use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Scenario;
+use crate::words;
 
 /// What the bar has to know beside the scenario.
 #[derive(Clone, Copy, Debug)]
@@ -96,12 +97,21 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 fn status_ui(ui: &mut Ui, scenario: &Scenario) {
     let palette = Palette::of(ui);
     let Some(notes) = &scenario.aircraft.plane_notes[scenario.plane] else { return };
-    let (text, color) = match notes.status {
-        Status::Verified => ("✓ verified", palette.good),
-        Status::Unverified => ("unverified", palette.warning),
+    let is_edited = scenario.is_edited();
+    let text = words::status::mark(notes.status, is_edited);
+    let color = match (notes.status, is_edited) {
+        (_, true) => palette.weak,
+        (Status::Verified, false) => palette.good,
+        (Status::Unverified, false) => palette.warning,
     };
     let label = ui.label(RichText::new(text).font(theme::small()).color(color));
-    label.on_hover_text(remarks(&notes.status_reason, &scenario.aircraft));
+    let reason = if is_edited {
+        let sentence = words::status::sentence(&scenario.aircraft.name, notes.status, true);
+        format!("This is {sentence}. {}", notes.status_reason)
+    } else {
+        notes.status_reason.clone()
+    };
+    label.on_hover_text(remarks(&reason, &scenario.aircraft));
 }
 
 /// The reason of a status, and below it the remarks on the aircraft's source.

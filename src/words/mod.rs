@@ -14,6 +14,7 @@
 //! | `placement` | why a dragged pole stops |
 //! | [`refusal`] | why a typed value was refused |
 //! | [`stability`] | the verdicts on a plane as a whole |
+//! | [`status`] | how far the numbers can be trusted |
 //! | [`verdict`] | levels of handling qualities and their verdicts |
 
 pub mod approximation;
@@ -24,4 +25,5 @@ mod notice;
 mod placement;
 pub mod refusal;
 pub mod stability;
+pub mod status;
 pub mod verdict;

@@ -27,13 +27,10 @@ pub fn dynamic_sentence(plane: &PlaneAnalysis) -> String {
 pub const DYNAMIC_MEANING: &str = "What happens in the end: whether every disturbance dies away, for which every pole must be left of the \
     imaginary axis.";
 
-/// Static stability, with its numbers in the unit of length of the source.
-pub fn static_sentence(
-    stability: &PlaneStaticStability,
-    margins: Option<Margins>,
-    length: LengthUnit,
-) -> String {
-    let PlaneStaticStability { verdict, determinant, stiffness, is_plain } = *stability;
+/// Static stability, with its numbers in the unit of length of the source, and what grows all the same.
+pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) -> String {
+    let PlaneStaticStability { verdict, determinant, of_determinant, stiffness, is_plain } =
+        plane.static_stability;
     let stiffness_of = |stiffness: Stiffness| {
         let value = stiffness.value / Dimension::PerLengthSecond.in_si(length);
         format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
@@ -41,26 +38,26 @@ pub fn static_sentence(
     let mut readings = Vec::new();
     let heading = match stiffness {
         PlaneStiffness::Longitudinal { m_w, .. } => {
-            let determinant = significant(determinant, 3);
-            readings.push(match verdict {
-                Stability::Stable => format!("det A = {determinant} 1/s⁴ > 0"),
-                Stability::Neutral => "det A ≈ 0".to_owned(),
-                Stability::Unstable => format!("det A = {determinant} 1/s⁴ < 0"),
-            });
             let m_w = stiffness_of(m_w);
             readings.push(if is_plain {
-                format!("pitch stiffness {m_w}")
+                format!("pitch stiffness M_w {m_w}")
             } else {
-                format!("pitch stiffness with ẇ terms {m_w}")
+                format!("pitch stiffness M_w {m_w}, if M_u is zero")
             });
             if let Some(Margins { static_margin, manoeuvre_margin }) = margins {
                 readings.push(format!("static margin {}", percent(static_margin)));
                 readings.push(format!("manoeuvre margin {}", percent(manoeuvre_margin)));
             }
+            let determinant = significant(determinant, 3);
+            readings.push(match of_determinant {
+                Stability::Stable => format!("det A = {determinant}\u{a0}1/s⁴\u{a0}>\u{a0}0"),
+                Stability::Neutral => "det A\u{a0}≈\u{a0}0".to_owned(),
+                Stability::Unstable => format!("det A = {determinant}\u{a0}1/s⁴\u{a0}<\u{a0}0"),
+            });
             match verdict {
-                Stability::Stable => "Statically stable",
-                Stability::Neutral => "Statically neutral",
-                Stability::Unstable => "Statically unstable",
+                Stability::Stable => "Statically stable in pitch",
+                Stability::Neutral => "Statically neutral in pitch",
+                Stability::Unstable => "Statically unstable in pitch",
             }
         }
         PlaneStiffness::Lateral { n_v, l_v, .. } => {
@@ -80,7 +77,39 @@ pub fn static_sentence(
             }
         }
     };
-    format!("{heading}: {}", readings.join(", "))
+    let sentence = format!("{heading}: {}", readings.join(", "));
+    match grows_all_the_same(plane) {
+        Some(remark) => format!("{sentence}. {remark}"),
+        None => sentence,
+    }
+}
+
+/// What has to be said beside the stiffness where a real root grows: which, and what det A has to do with it.
+fn grows_all_the_same(plane: &PlaneAnalysis) -> Option<String> {
+    let PlaneStaticStability { verdict, of_determinant, stiffness, .. } = plane.static_stability;
+    let growing: Vec<&str> = plane
+        .modes
+        .iter()
+        .filter(|mode| !mode.is_oscillatory() && mode.stability == Stability::Unstable)
+        .map(|mode| mode::in_a_sentence(mode.naming.name))
+        .collect();
+    let names = growing.join(" and the ");
+    let [first, ..] = growing.as_slice() else { return None };
+    match (stiffness, verdict, of_determinant) {
+        (PlaneStiffness::Longitudinal { .. }, Stability::Unstable, Stability::Stable)
+            if growing.len() > 1 =>
+        {
+            Some(format!("det A is positive since two real roots grow, the {names}"))
+        }
+        (_, Stability::Unstable, _) => None,
+        (PlaneStiffness::Longitudinal { .. }, _, _) => {
+            Some(format!("Yet the {names} grows: the terms of speed make det A negative"))
+        }
+        (PlaneStiffness::Lateral { .. }, _, _) if growing.len() == 1 => {
+            Some(format!("Yet the {first} grows"))
+        }
+        (PlaneStiffness::Lateral { .. }, _, _) => Some(format!("Yet the {names} grow")),
+    }
 }
 
 fn percent(share: f64) -> String {
@@ -91,9 +120,10 @@ fn percent(share: f64) -> String {
 pub const fn static_meaning(stability: &PlaneStaticStability) -> &'static str {
     match stability.stiffness {
         PlaneStiffness::Longitudinal { .. } => {
-            "Which way the first moment points. det A is the product of the four eigenvalues: where it is negative, a real root \
-             grows and the aircraft leaves its trim without swinging. It turns negative where the centre of gravity passes the \
-             neutral point, unless the moment also changes with speed."
+            "Which way the first pitching moment points: a nose that is lifted must come down again, M_w < 0. It turns with the \
+             centre of gravity at the neutral point, where the static margin is zero. det A is the product of the four \
+             eigenvalues, and has the terms of speed in it too: where it is negative, a real root grows. Where it is positive \
+             nothing is proved, since two real roots may grow together."
         }
         PlaneStiffness::Lateral { .. } => {
             "Which way the first moments of a sideslip point. In yaw the nose must turn into the wind: weathercock stability is \

@@ -1,9 +1,13 @@
 //! Handling qualities: levels, what they are judged by, and each verdict in a sentence.
 
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::handling_qualities::{Governing, Level, Remark, Verdict};
 use crate::flight::verdicts::level_boundaries::Boundary;
-use crate::flight::verdicts::mil_f_8785c::{Category, Criterion, Quantity, Requirement, Source};
+use crate::flight::verdicts::mil_f_8785c::{Category, Class, Criterion, Quantity, Requirement, Source};
+use crate::flight::verdicts::overall_level::OverallLevel;
+use crate::flight::verdicts::task::Task;
 use crate::number::{significant, trimmed};
+use crate::words::mode;
 
 /// A level.
 pub const fn level(level: Level) -> &'static str {
@@ -28,6 +32,8 @@ pub const fn levels(boundary: &Boundary) -> &'static str {
 /// A criterion as a title.
 pub const fn criterion(criterion: Criterion) -> &'static str {
     match criterion {
+        Criterion::AirspeedDivergence => "Airspeed divergence",
+        Criterion::PitchDivergence => "Pitch divergence",
         Criterion::Phugoid => "Phugoid damping",
         Criterion::ShortPeriodDamping => "Short-period damping",
         Criterion::ShortPeriodFrequency => "Short-period frequency",
@@ -36,6 +42,33 @@ pub const fn criterion(criterion: Criterion) -> &'static str {
         Criterion::Spiral => "Spiral",
         Criterion::CoupledRollSpiral => "Coupled roll–spiral",
     }
+}
+
+/// A class of aircraft.
+pub const fn class(class: Class) -> &'static str {
+    match class {
+        Class::I => "Class I",
+        Class::II => "Class II",
+        Class::IICarrier => "Class II, carrier based",
+        Class::III => "Class III",
+        Class::IV => "Class IV",
+    }
+}
+
+/// A class with the aircraft that it stands for.
+pub const fn class_with_aircraft(class: Class) -> &'static str {
+    match class {
+        Class::I => "Class I: small and light",
+        Class::II => "Class II: medium weight, low to medium manoeuvrability",
+        Class::IICarrier => "Class II, carrier based",
+        Class::III => "Class III: large and heavy, low to medium manoeuvrability",
+        Class::IV => "Class IV: high manoeuvrability",
+    }
+}
+
+/// The class and category of a task.
+pub fn task(task: Task) -> String {
+    format!("{}, {}", class(task.class), category(task.category))
 }
 
 /// A category of flight phase.
@@ -51,10 +84,10 @@ pub const fn category(category: Category) -> &'static str {
 /// A category with the phases of flight that it stands for.
 pub const fn category_with_phases(category: Category) -> &'static str {
     match category {
-        Category::ACombat => "Category A of flight: air combat and ground attack",
-        Category::A => "Category A of flight: rapid manoeuvring and precise tracking",
-        Category::B => "Category B of flight: climb, cruise, loiter and descent",
-        Category::C => "Category C of flight: take-off, approach and landing",
+        Category::ACombat => "Category A, combat: air combat and ground attack",
+        Category::A => "Category A: rapid manoeuvring and precise tracking",
+        Category::B => "Category B: climb, cruise, loiter and descent",
+        Category::C => "Category C: take-off, approach and landing",
     }
 }
 
@@ -68,13 +101,14 @@ pub const fn symbol(quantity: Quantity) -> &'static str {
         Quantity::LoadFactorSlope => "n/α",
         Quantity::TimeConstant => "τ",
         Quantity::TimeToDouble => "T₂",
+        Quantity::RollToSideslip => "|φ/β|",
     }
 }
 
 /// Unit of a quantity; empty for a pure number.
 pub const fn unit(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::DampingRatio => "",
+        Quantity::DampingRatio | Quantity::RollToSideslip => "",
         Quantity::NaturalFrequency | Quantity::DampingProduct => "rad/s",
         Quantity::ControlAnticipation => "(rad/s)²/(g/rad)",
         Quantity::LoadFactorSlope => "g/rad",
@@ -111,17 +145,59 @@ pub fn boundary(boundary: &Boundary) -> String {
     format!("{}: {} {limit}", levels(boundary), symbol(quantity))
 }
 
-/// A verdict in a sentence or two, with its source.
+/// A verdict in a sentence or two, with its source and the task it is judged for.
 pub fn sentence(verdict: &Verdict) -> String {
-    let level = if verdict.on_boundary { on_boundary(verdict.level) } else { level(verdict.level) };
-    let source =
-        format!("({}, {})", citation(verdict.criterion, verdict.category), category(verdict.category));
-    match (comparison(verdict), verdict.remark.map(remark)) {
+    let source = format!("({}; {})", citation(verdict.criterion, verdict.task.category), task(verdict.task));
+    let Some(level) = level_or_boundary(verdict) else {
+        return format!(
+            "Nothing to judge: its two real roots die away, so that no oscillation is left for this requirement {source}."
+        );
+    };
+    match (comparison(verdict), verdict.remark.and_then(remark)) {
         (Some(comparison), Some(remark)) => format!("{level}: {comparison} {source}. {remark}"),
         (Some(comparison), None) => format!("{level}: {comparison} {source}."),
         (None, Some(remark)) => format!("{level} {source}. {remark}"),
         (None, None) => format!("{level} {source}."),
     }
+}
+
+/// The overall level with the criterion that sets it, and what no paragraph judges.
+pub fn overall(overall: &OverallLevel<'_>) -> String {
+    let OverallLevel { level: worst, governing, unjudged } = overall;
+    let because = match worst {
+        Level::One => "every criterion is met".to_owned(),
+        Level::Two | Level::Three | Level::Beyond => {
+            format!("set by {}", criterion_in_a_sentence(governing.criterion))
+        }
+    };
+    let text = format!("{} overall, {because}", level(*worst));
+    if unjudged.is_empty() { text } else { format!("{text}; {}", not_judged(unjudged)) }
+}
+
+fn not_judged(names: &[ModeName]) -> String {
+    let names: Vec<&str> = names.iter().map(|name| mode::in_a_sentence(*name)).collect();
+    format!("no paragraph here judges the growing {}", names.join(" and the "))
+}
+
+/// A criterion within a sentence.
+pub const fn criterion_in_a_sentence(criterion: Criterion) -> &'static str {
+    match criterion {
+        Criterion::AirspeedDivergence => "the divergence of airspeed",
+        Criterion::PitchDivergence => "the divergence in pitch",
+        Criterion::Phugoid => "the damping of the phugoid",
+        Criterion::ShortPeriodDamping => "the damping of the short period",
+        Criterion::ShortPeriodFrequency => "the frequency of the short period",
+        Criterion::DutchRoll => "the Dutch roll",
+        Criterion::RollMode => "the roll mode",
+        Criterion::Spiral => "the spiral",
+        Criterion::CoupledRollSpiral => "the coupled roll–spiral oscillation",
+    }
+}
+
+/// The level of a verdict, and whether it is on a boundary.
+fn level_or_boundary(verdict: &Verdict) -> Option<&'static str> {
+    let found = verdict.level?;
+    Some(if verdict.on_boundary { on_boundary(found) } else { level(found) })
 }
 
 /// A level that the last digit of a value decides.
@@ -134,13 +210,18 @@ const fn on_boundary(level: Level) -> &'static str {
     }
 }
 
-const fn remark(remark: Remark) -> &'static str {
-    match remark {
+const fn remark(remark: Remark) -> Option<&'static str> {
+    Some(match remark {
         Remark::TwoRealRoots => "Its two real roots are taken as one motion.",
+        Remark::AirspeedDiverges => "Levels 1 and 2 allow no divergence of airspeed without oscillation.",
+        Remark::PitchDiverges => {
+            "No level allows pitch attitude or angle of attack to diverge without oscillation."
+        }
         Remark::Diverges => "It diverges.",
         Remark::RollGrows => "The roll rate doesn’t die away.",
         Remark::NotAllowed => "No coupled oscillation of roll and spiral is allowed in this category.",
-    }
+        Remark::NoOscillation => return None,
+    })
 }
 
 /// The value beside its limits; `None` where no number decides.
@@ -150,7 +231,10 @@ fn comparison(verdict: &Verdict) -> Option<String> {
         return Some(format!("it never doubles, Level 1 asks {} of at least {limit}", symbol(quantity)));
     }
     let Governing { requirement, of, other, value } = verdict.governing?;
-    let Requirement { quantity, is_minimum, limit } = requirement;
+    let Requirement { quantity, is_minimum, limit, raise } = requirement;
+    if raise > 0.0 {
+        return Some(raised(verdict, &requirement, of, value));
+    }
     let [value, limit] = [value, limit].map(|x| significant(x, 3));
     let (symbol, of) = (symbol(quantity), level(of));
     let shown = with_unit(&value, quantity);
@@ -164,9 +248,28 @@ fn comparison(verdict: &Verdict) -> Option<String> {
     };
     let (low, high) = if is_minimum { (limit, other) } else { (other, limit) };
     let high = with_unit(&high, quantity);
-    Some(if verdict.level == Level::One {
+    Some(if verdict.level == Some(Level::One) {
         format!("{symbol} {value} lies within {of}’s {low} to {high}")
     } else {
         format!("{symbol} is {shown}, {of} asks {low} to {high}")
     })
+}
+
+/// The value beside a limit that the rolling of a Dutch roll has raised: what the table prints, and what is added to it.
+fn raised(verdict: &Verdict, requirement: &Requirement, of: Level, value: f64) -> String {
+    let Requirement { quantity, limit, raise, .. } = *requirement;
+    let find = |wanted: Quantity| {
+        verdict.values.iter().find(|(quantity, _)| *quantity == wanted).map_or(0.0, |v| v.1)
+    };
+    let (wn, ratio) = (find(Quantity::NaturalFrequency), find(Quantity::RollToSideslip));
+    let [printed, added, ratio, rule] =
+        [limit - raise, raise, ratio, wn * wn * ratio].map(|x| significant(x, 3));
+    format!(
+        "{} is {}, {} asks at least {}: {printed} of the table and {added} more, since |φ/β| is {ratio} and ωₙ²|φ/β| is {rule}, \
+         above 20",
+        symbol(quantity),
+        with_unit(&significant(value, 3), quantity),
+        level(of),
+        with_unit(&significant(limit, 3), quantity),
+    )
 }

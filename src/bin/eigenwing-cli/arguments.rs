@@ -120,6 +120,12 @@ pub struct SubjectArguments {
     /// A parameter and its value, SI and radians; may be given again
     #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
+    /// Class of MIL-F-8785C that levels are judged for: I, II, II-C, III or IV [default: that of the aircraft's file]
+    #[arg(long, value_name = "CLASS")]
+    pub class: Option<String>,
+    /// Category of flight phase that levels are judged for: A, A-combat, B or C
+    #[arg(long, value_name = "CATEGORY")]
+    pub category: Option<String>,
 }
 
 #[derive(Args)]

@@ -34,7 +34,13 @@ impl SubjectArguments {
             (None, Some(name)) if MatrixFormat::of_file(name).is_some() => matrices(Path::new(name))?,
             (None, name) => Source::Listed(name.clone().unwrap_or_default()),
         };
-        Ok(Subject { source, set: self.set.clone() }.scenario()?)
+        Ok(Subject {
+            source,
+            set: self.set.clone(),
+            class: self.class.clone(),
+            category: self.category.clone(),
+        }
+        .scenario()?)
     }
 }
 

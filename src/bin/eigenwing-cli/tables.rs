@@ -82,7 +82,7 @@ pub fn parameters(parameters: &[ParameterReport]) -> String {
 
 pub fn analysis(report: &Report) -> String {
     let aircraft = &report.aircraft;
-    let mut text = format!("{}: {} ({})\n", aircraft.name, aircraft.condition, aircraft.status);
+    let mut text = format!("{}: {} ({})\n", aircraft.name, aircraft.condition, report.status_now);
     for (key, value) in &report.set {
         text += &format!("{key} = {}\n", number(*value));
     }
@@ -96,6 +96,9 @@ pub fn analysis(report: &Report) -> String {
             Some(PlaneOutcome::Failed { error }) => text += &format!("\n{name}: {error}\n"),
             None => {}
         }
+    }
+    if let Some(overall) = &report.overall_level {
+        text += &format!("\nHandling qualities: {}\n", overall.sentence);
     }
     if let (Some(of_static), Some(of_manoeuvre)) = (report.static_margin, report.manoeuvre_margin) {
         text += &format!(
@@ -118,10 +121,10 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
         number(of_static.determinant)
     );
     // The prime: something is folded in.
-    let [m, n, l] = if of_static.plain_derivatives { ["M", "N", "L"] } else { ["M'", "N'", "L'"] };
+    let [n, l] = if of_static.plain_derivatives { ["N", "L"] } else { ["N'", "L'"] };
     text += &match of_static.stiffness {
         StiffnessReport::Longitudinal { pitch_stiffness, .. } => {
-            format!("Pitch stiffness {m}w = {} 1/(m·s)\n", number(pitch_stiffness))
+            format!("Pitch stiffness Mw = {} 1/(m·s)\n", number(pitch_stiffness))
         }
         StiffnessReport::Lateral { weathercock_stiffness, dihedral_effect, .. } => format!(
             "Weathercock stability {n}v = {} 1/(m·s), dihedral effect {l}v = {} 1/(m·s)\n",

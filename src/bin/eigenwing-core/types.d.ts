@@ -30,6 +30,8 @@ export type AircraftClass = "I" | "II" | "II-C" | "III" | "IV";
 export type Analysis = {
   /** The aircraft. */
   aircraft: Aircraft,
+  /** How far its numbers can be trusted as they are set, in words: the aircraft's own status is that of its file. */
+  status_now: string,
   /** The unit of every number below, by the name of its field; numbers without one are ratios. */
   units: Record<string, string>,
   /** Values set on it, SI. */
@@ -42,6 +44,8 @@ export type Analysis = {
   static_margin: number | null,
   /** Manoeuvre margin in mean chords. */
   manoeuvre_margin: number | null,
+  /** The level of handling qualities as a whole; null where nothing is judged. */
+  overall_level: OverallLevel | null,
   /** False where gravity and speed of the model can't belong to one system of units. */
   gravity_is_plausible: boolean | null,
 };
@@ -74,7 +78,7 @@ export type ApproximationKey = "short-period-two-states" | "short-period-pitch-o
 
 export type ControlOrGust = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust";
 
-export type CriterionKey = "phugoid" | "short-period-damping" | "short-period-frequency" | "dutch-roll" | "roll-mode" | "spiral" | "coupled-roll-spiral";
+export type CriterionKey = "airspeed-divergence" | "pitch-divergence" | "phugoid" | "short-period-damping" | "short-period-frequency" | "dutch-roll" | "roll-mode" | "spiral" | "coupled-roll-spiral";
 
 export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust" | "turbulence" | "release" | "mode";
 
@@ -190,10 +194,12 @@ export type Level = {
   criterion: string,
   /** Key of the criterion. */
   criterion_key: CriterionKey,
-  /** The level in words. */
-  level: string,
+  /** Keys of the modes that are judged. */
+  modes: Array<ModeKey>,
+  /** The level in words; null where the oscillation that the requirement is on is gone. */
+  level: string | null,
   /** Key of the level. */
-  level_key: LevelKey,
+  level_key: LevelKey | null,
   /** Whether a value equals a limit to three digits. */
   on_boundary: boolean,
   /** Paragraph of MIL-F-8785C. */
@@ -329,6 +335,24 @@ export type OutputFigures = {
   root_mean_square: number | null,
 };
 
+/** The level of an aircraft as a whole. */
+export type OverallLevel = {
+  /** The level in words. */
+  level: string,
+  /** Key of the level. */
+  level_key: LevelKey,
+  /** Key of the criterion that governs it. */
+  criterion_key: CriterionKey,
+  /** Class of MIL-F-8785C that it is judged for. */
+  class: AircraftClass,
+  /** Category of flight phase that it is judged for. */
+  category: FlightPhase,
+  /** Keys of the modes that grow and that no paragraph judges. */
+  unjudged: Array<ModeKey>,
+  /** The level and what sets it, in one sentence. */
+  sentence: string,
+};
+
 /** A parameter that can be set on an aircraft. */
 export type Parameter = {
   /** Its key, in `set` and in a sweep. */
@@ -459,11 +483,12 @@ export type StabilityKind = "static" | "dynamic";
 
 /** Static stability of a plane. */
 export type StaticStability = {
-  /** `stable`, `neutral` or `unstable`, from the sign of det A. */
+  /** `stable`, `neutral` or `unstable`: of the pitch stiffness, or the worse of those in yaw and roll. */
   verdict: Stability,
   /** det A. */
   determinant: number,
-  /** Whether the stiffnesses are derivatives as such; else entries of A, with ẇ terms or product of inertia folded in. */
+  /** Whether the stiffnesses are derivatives as such; else they are found from A: M_w as if M_u were zero, the others with the
+   * product of inertia folded in. */
   plain_derivatives: boolean,
 } & ({
   /** M_w, negative is restoring. */
@@ -503,6 +528,10 @@ export type Subject = {
   file?: string,
   /** Values by the keys of the parameters [SI, radians]. */
   set?: { [key in string]: number },
+  /** Class of aircraft that levels are judged for; that of the aircraft's file without one. */
+  class?: AircraftClass,
+  /** Category of flight phase that levels are judged for. */
+  category?: FlightPhase,
 };
 
 /** Modes and verdicts along a sweep. */

@@ -394,8 +394,7 @@ fn aircraft(file: &str, name: &str, plane: Plane, aircraft_model: AircraftModel,
         plane_notes,
         status_reason,
         particulars: Particulars { speed: Some(speed), ..Particulars::default() },
-        class: None,
-        phase: None,
+        task: None,
         notes: Vec::new(),
     }
 }

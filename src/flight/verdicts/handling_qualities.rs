@@ -1,12 +1,13 @@
 //! Handling-quality levels: what a pilot would say of each mode, after MIL-F-8785C.
 //!
-//! A verdict carries the limit that governs it and how far away that is. An aperiodic divergence in pitch gets none: paragraph 3.2.1.1
-//! judges it, by numbers that are not in the tables here.
+//! A verdict carries the limit that governs it and how far away that is. Where an oscillation has parted into two real roots that
+//! both die away, a requirement on it has nothing left to judge; real roots that grow are judged as divergences.
 
 use super::mil_f_8785c::{
-    Category, Class, Criterion, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll, phugoid,
-    roll_mode, short_period_damping, short_period_frequency, spiral,
+    Criterion, LEAST_TIME_TO_DOUBLE_AIRSPEED, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll,
+    phugoid, roll_mode, short_period_damping, short_period_frequency, spiral,
 };
+use super::task::Task;
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::aircraft::states::Lateral::{Phi, V};
@@ -15,6 +16,7 @@ use crate::flight::aircraft::states::entry;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
+use crate::flight::modes::stability::Stability;
 use crate::key::keys;
 
 /// How good the handling is (1.5, p. 4).
@@ -63,8 +65,10 @@ pub struct Governing {
 pub struct Verdict {
     /// What was judged.
     pub criterion: Criterion,
-    /// The level, by the numbers as computed.
-    pub level: Level,
+    /// Names of the modes that were judged.
+    pub modes: Vec<ModeName>,
+    /// The level, by the numbers as computed; `None` where the oscillation that the requirement is on is gone.
+    pub level: Option<Level>,
     /// Whether a value equals a limit to three digits, so that the last digit would decide the level.
     pub on_boundary: bool,
     /// The values judged.
@@ -75,8 +79,8 @@ pub struct Verdict {
     pub met_by_absence: Option<Requirement>,
     /// What else is to be said of how it was judged.
     pub remark: Option<Remark>,
-    /// The phase of flight whose limits these are.
-    pub category: Category,
+    /// Class of aircraft and phase of flight whose limits these are.
+    pub task: Task,
 }
 
 /// What a limit and a value don't say of a verdict.
@@ -84,6 +88,12 @@ pub struct Verdict {
 pub enum Remark {
     /// Two real roots were judged as one motion, since the oscillation has become such.
     TwoRealRoots,
+    /// Two real roots that die away: nothing swings, so that a requirement on an oscillation has nothing to judge.
+    NoOscillation,
+    /// Airspeed that diverges, which Levels 1 and 2 don't allow.
+    AirspeedDiverges,
+    /// Pitch attitude and angle of attack that diverge, which no level allows.
+    PitchDiverges,
     /// A Dutch roll that diverges.
     Diverges,
     /// A roll rate that doesn't die away.
@@ -93,15 +103,10 @@ pub enum Remark {
 }
 
 /// All verdicts for the plane of `model`, whose modes are `modes`, for a class of aircraft in a phase of flight.
-pub fn handling_qualities(
-    model: &PlaneModel,
-    modes: &[Mode],
-    class: Class,
-    category: Category,
-) -> Vec<Verdict> {
+pub fn handling_qualities(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
     match model.plane {
-        Plane::Longitudinal => longitudinal(model, modes, class, category),
-        Plane::Lateral => lateral(model, modes, class, category),
+        Plane::Longitudinal => longitudinal(model, modes, task),
+        Plane::Lateral => lateral(model, modes, task),
     }
 }
 
@@ -122,14 +127,16 @@ pub fn phi_to_beta(model: &PlaneModel, mode: &Mode) -> Option<f64> {
     ratio.is_finite().then_some(ratio)
 }
 
-fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Category) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
+fn longitudinal(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
+    let Task { class, category } = task;
+    let mut verdicts = divergences(modes, task);
     if let Some(motion) = second_order(modes, SHORT_PERIOD) {
         let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
         let remark = remark_on_roots(modes, ModeName::ShortPeriod);
+        let judged = present(modes, &SHORT_PERIOD);
         let values = vec![(Quantity::DampingRatio, zeta)];
-        let damping = judge(Criterion::ShortPeriodDamping, category, values, &short_period_damping(category));
-        verdicts.push(Verdict { remark, ..damping });
+        let damping = judge(Criterion::ShortPeriodDamping, task, values, &short_period_damping(category));
+        verdicts.push(Verdict { remark, modes: judged.clone(), ..damping });
         // CAP = ωₙ²/(n/α)
         let slope = load_factor_slope(&StabilityAxes::of(model)).filter(|slope| *slope > 0.0);
         if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
@@ -139,61 +146,126 @@ fn longitudinal(model: &PlaneModel, modes: &[Mode], class: Class, category: Cate
                 (Quantity::LoadFactorSlope, slope),
             ];
             let levels = short_period_frequency(class, category);
-            let frequency = judge(Criterion::ShortPeriodFrequency, category, values, &levels);
-            verdicts.push(Verdict { remark, ..frequency });
+            let frequency = judge(Criterion::ShortPeriodFrequency, task, values, &levels);
+            verdicts.push(Verdict { remark, modes: judged, ..frequency });
         }
     }
-    if let Some(motion) = second_order(modes, PHUGOID) {
+    if let Some(mode) = find(modes, ModeName::Phugoid)
+        && let Some(motion) = second_order(modes, PHUGOID)
+    {
         let mut values = vec![(Quantity::DampingRatio, motion.damping_ratio)];
-        values.extend(find(modes, ModeName::Phugoid).and_then(time_to_double));
-        let remark = remark_on_roots(modes, ModeName::Phugoid);
-        verdicts.push(Verdict { remark, ..judge(Criterion::Phugoid, category, values, &phugoid()) });
+        values.extend(time_to_double(mode));
+        let verdict = judge(Criterion::Phugoid, task, values, &phugoid());
+        verdicts.push(Verdict { modes: vec![ModeName::Phugoid], ..verdict });
+    } else if let roots = present(modes, &PHUGOID)
+        && die_away(modes, &roots)
+    {
+        verdicts.push(without_premise(Criterion::Phugoid, task, roots));
     }
     verdicts
 }
 
-fn lateral(model: &PlaneModel, modes: &[Mode], class: Class, category: Category) -> Vec<Verdict> {
+/// Real roots that grow: of airspeed after 3.2.1.1, of pitch attitude and angle of attack after 3.2.2.2.
+fn divergences(modes: &[Mode], task: Task) -> Vec<Verdict> {
+    let growing = |names: &[ModeName]| {
+        let grows = |mode: &&Mode| {
+            !mode.is_oscillatory()
+                && mode.stability == Stability::Unstable
+                && names.contains(&mode.naming.name)
+        };
+        modes.iter().filter(grows).collect::<Vec<_>>()
+    };
+    let names = |modes: &[&Mode]| modes.iter().map(|mode| mode.naming.name).collect::<Vec<_>>();
     let mut verdicts = Vec::new();
-    if let Some(motion) = second_order(modes, DUTCH_ROLL) {
+    let of_pitch = growing(&[ModeName::PitchDivergence, SHORT_PERIOD[1], SHORT_PERIOD[2]]);
+    if !of_pitch.is_empty() {
+        let values = of_pitch.iter().filter_map(|mode| time_to_double(mode)).collect();
+        let verdict = not_allowed(Criterion::PitchDivergence, task, values, Remark::PitchDiverges);
+        verdicts.push(Verdict { modes: names(&of_pitch), ..verdict });
+    }
+    let of_speed = growing(&[ModeName::SpeedDivergence, PHUGOID[1], PHUGOID[2]]);
+    // The one that doubles first
+    let first = of_speed.iter().filter_map(|mode| time_to_double(mode)).min_by(|x, y| x.1.total_cmp(&y.1));
+    if let Some(fastest) = first {
+        let limits = vec![LEAST_TIME_TO_DOUBLE_AIRSPEED];
+        let found = judge(
+            Criterion::AirspeedDivergence,
+            task,
+            vec![fastest],
+            &[limits.clone(), limits.clone(), limits],
+        );
+        verdicts.push(Verdict {
+            level: found.level.map(|level| level.max(Level::Three)),
+            governing: found.governing.map(|governing| Governing { of: Level::Three, ..governing }),
+            remark: Some(Remark::AirspeedDiverges),
+            modes: names(&of_speed),
+            ..found
+        });
+    }
+    verdicts
+}
+
+fn lateral(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
+    let Task { class, category } = task;
+    let mut verdicts = Vec::new();
+    let of_dutch_roll = present(modes, &DUTCH_ROLL);
+    if die_away(modes, &of_dutch_roll) {
+        verdicts.push(without_premise(Criterion::DutchRoll, task, of_dutch_roll));
+    } else if let Some(motion) = second_order(modes, DUTCH_ROLL) {
         let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
-        let phi_to_beta =
-            find(modes, ModeName::DutchRoll).and_then(|mode| phi_to_beta(model, mode)).unwrap_or(0.0);
-        let phi_rule = (wn * wn * phi_to_beta).min(f64::MAX);
-        let values = vec![
+        let phi_to_beta = find(modes, ModeName::DutchRoll).and_then(|mode| phi_to_beta(model, mode));
+        let phi_rule = (wn * wn * phi_to_beta.unwrap_or(0.0)).min(f64::MAX);
+        let mut values = vec![
             (Quantity::DampingRatio, zeta),
             (Quantity::DampingProduct, zeta * wn),
             (Quantity::NaturalFrequency, wn),
         ];
+        values.extend(phi_to_beta.map(|ratio| (Quantity::RollToSideslip, ratio)));
         let levels = dutch_roll(class, category, wn, phi_rule);
         let remark = remark_on_roots(modes, ModeName::DutchRoll);
-        verdicts.push(Verdict { remark, ..judge(Criterion::DutchRoll, category, values, &levels) });
+        let verdict = judge(Criterion::DutchRoll, task, values, &levels);
+        verdicts.push(Verdict { remark, modes: of_dutch_roll, ..verdict });
     } else if find(modes, ModeName::DirectionalDivergence).is_some() {
-        verdicts.push(not_allowed(Criterion::DutchRoll, category, Vec::new(), Remark::Diverges));
+        let verdict = not_allowed(Criterion::DutchRoll, task, Vec::new(), Remark::Diverges);
+        verdicts.push(Verdict { modes: vec![ModeName::DirectionalDivergence], ..verdict });
     }
     if let Some(mode) = find(modes, ModeName::RollSubsidence).or(find(modes, ModeName::RollDivergence)) {
-        verdicts.push(match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
-            Some(tau) => judge(
-                Criterion::RollMode,
-                category,
-                vec![(Quantity::TimeConstant, tau)],
-                &roll_mode(class, category),
-            ),
-            None => not_allowed(Criterion::RollMode, category, Vec::new(), Remark::RollGrows),
-        });
+        let verdict = match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
+            Some(tau) => {
+                let values = vec![(Quantity::TimeConstant, tau)];
+                judge(Criterion::RollMode, task, values, &roll_mode(class, category))
+            }
+            None => not_allowed(Criterion::RollMode, task, Vec::new(), Remark::RollGrows),
+        };
+        verdicts.push(Verdict { modes: vec![mode.naming.name], ..verdict });
     }
     if let Some(mode) = find(modes, ModeName::Spiral) {
         let values = time_to_double(mode).into_iter().collect();
-        verdicts.push(judge(Criterion::Spiral, category, values, &spiral(category)));
+        let verdict = judge(Criterion::Spiral, task, values, &spiral(category));
+        verdicts.push(Verdict { modes: vec![ModeName::Spiral], ..verdict });
     }
     if let Some(mode) = find(modes, ModeName::CoupledRollSpiral) {
         // ζωₙ = −σ
         let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
-        verdicts.push(match coupled_roll_spiral(category) {
-            Some(levels) => judge(Criterion::CoupledRollSpiral, category, values, &levels),
-            None => not_allowed(Criterion::CoupledRollSpiral, category, values, Remark::NotAllowed),
-        });
+        let verdict = match coupled_roll_spiral(category) {
+            Some(levels) => judge(Criterion::CoupledRollSpiral, task, values, &levels),
+            None => not_allowed(Criterion::CoupledRollSpiral, task, values, Remark::NotAllowed),
+        };
+        verdicts.push(Verdict { modes: vec![ModeName::CoupledRollSpiral], ..verdict });
     }
     verdicts
+}
+
+/// Those of the `names` that modes have.
+fn present(modes: &[Mode], names: &[ModeName]) -> Vec<ModeName> {
+    names.iter().copied().filter(|name| find(modes, *name).is_some()).collect()
+}
+
+/// Whether these `names` are of the two real roots that an oscillation has parted into, and neither grows.
+fn die_away(modes: &[Mode], names: &[ModeName]) -> bool {
+    let grows =
+        |name: &ModeName| find(modes, *name).is_some_and(|mode| mode.stability == Stability::Unstable);
+    names.len() == 2 && !names.iter().any(grows)
 }
 
 fn find(modes: &[Mode], name: ModeName) -> Option<&Mode> {
@@ -209,26 +281,28 @@ fn remark_on_roots(modes: &[Mode], pair: ModeName) -> Option<Remark> {
     find(modes, pair).is_none().then_some(Remark::TwoRealRoots)
 }
 
-fn not_allowed(
-    criterion: Criterion,
-    category: Category,
-    values: Vec<(Quantity, f64)>,
-    remark: Remark,
-) -> Verdict {
+fn not_allowed(criterion: Criterion, task: Task, values: Vec<(Quantity, f64)>, remark: Remark) -> Verdict {
     Verdict {
         criterion,
-        level: Level::Beyond,
+        modes: Vec::new(),
+        level: Some(Level::Beyond),
         on_boundary: false,
         values,
         governing: None,
         met_by_absence: None,
         remark: Some(remark),
-        category,
+        task,
     }
 }
 
+/// The verdict of a requirement on an oscillation that is gone.
+fn without_premise(criterion: Criterion, task: Task, modes: Vec<ModeName>) -> Verdict {
+    let verdict = not_allowed(criterion, task, Vec::new(), Remark::NoOscillation);
+    Verdict { level: None, modes, ..verdict }
+}
+
 /// The best level all of whose requirements are met, and the limit that governs it.
-fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>, levels: &Levels) -> Verdict {
+fn judge(criterion: Criterion, task: Task, values: Vec<(Quantity, f64)>, levels: &Levels) -> Verdict {
     let value = |quantity: Quantity| values.iter().find(|(q, _)| *q == quantity).map(|(_, value)| *value);
     // A quantity that is absent is met: what never doubles has no time to double.
     let excess = |requirement: &Requirement| {
@@ -261,12 +335,13 @@ fn judge(criterion: Criterion, category: Category, values: Vec<(Quantity, f64)>,
     let met_by_absence = governing.is_none().then(|| levels[0].first().copied()).flatten();
     Verdict {
         criterion,
-        level,
+        modes: Vec::new(),
+        level: Some(level),
         on_boundary: level_with(-1.0) != level_with(1.0),
         governing,
         met_by_absence,
         remark: None,
-        category,
+        task,
         values,
     }
 }

@@ -105,7 +105,7 @@ fn add(boundaries: &mut Vec<Boundary>, criterion: Criterion, levels: &Levels, sl
 
 /// Where a limit lies, and whether what it allows is above it; `None` where the plane has no place for it.
 fn line(requirement: Requirement, slope: Option<f64>) -> Option<(Line, bool)> {
-    let Requirement { quantity, is_minimum, limit } = requirement;
+    let Requirement { quantity, is_minimum, limit, .. } = requirement;
     Some(match quantity {
         Quantity::DampingRatio if limit.abs() < 1.0 => (Line::DampingRatio(limit), is_minimum),
         Quantity::NaturalFrequency => (Line::NaturalFrequency(limit), is_minimum),
@@ -117,6 +117,6 @@ fn line(requirement: Requirement, slope: Option<f64>) -> Option<(Line, bool)> {
         Quantity::TimeConstant => (Line::RealPart(-1.0 / limit), is_minimum),
         // T₂ = ln 2/σ
         Quantity::TimeToDouble => (Line::RealPart(LN_2 / limit), !is_minimum),
-        Quantity::DampingRatio | Quantity::LoadFactorSlope => return None,
+        Quantity::DampingRatio | Quantity::LoadFactorSlope | Quantity::RollToSideslip => return None,
     })
 }

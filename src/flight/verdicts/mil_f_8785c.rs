@@ -5,7 +5,6 @@
 //! relaxations by agreement (Level 3 damping above 20,000 ft; the starred ωₙ of Class III) and flight-path stability (3.2.1.3).
 
 use crate::flight::modes::mode_name::ModeName;
-use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD};
 use crate::key::keys;
 
 /// The kind of aircraft (1.3, pp. 1–2).
@@ -25,11 +24,11 @@ pub enum Class {
 
 keys! {
     Class {
-        I => "I",
-        II => "II",
-        IICarrier => "II-C",
-        III => "III",
-        IV => "IV",
+        I => "I" | "i",
+        II => "II" | "ii",
+        IICarrier => "II-C" | "ii-c",
+        III => "III" | "iii",
+        IV => "IV" | "iv",
     }
 }
 
@@ -60,10 +59,10 @@ pub enum Category {
 
 keys! {
     Category {
-        ACombat => "A-combat",
-        A => "A",
-        B => "B",
-        C => "C",
+        ACombat => "A-combat" | "a-combat",
+        A => "A" | "a",
+        B => "B" | "b",
+        C => "C" | "c",
     }
 }
 
@@ -99,6 +98,8 @@ pub enum Quantity {
     TimeConstant,
     /// T₂ \[s\]; absent where nothing doubles, and then met.
     TimeToDouble,
+    /// |φ/β| of the Dutch roll. No limit is set on it; above a size it raises the least ζωₙ.
+    RollToSideslip,
 }
 
 /// One limit: a quantity has to be at least, or at most, so much.
@@ -110,21 +111,27 @@ pub struct Requirement {
     pub is_minimum: bool,
     /// The limit itself, in the unit of the quantity.
     pub limit: f64,
+    /// The part of the limit that the table doesn't print: Δ(ζωₙ) of a Dutch roll that rolls much; zero elsewhere.
+    pub raise: f64,
 }
 
 impl Requirement {
     pub(super) const fn at_least(quantity: Quantity, limit: f64) -> Self {
-        Self { quantity, is_minimum: true, limit }
+        Self { quantity, is_minimum: true, limit, raise: 0.0 }
     }
 
     pub(super) const fn at_most(quantity: Quantity, limit: f64) -> Self {
-        Self { quantity, is_minimum: false, limit }
+        Self { quantity, is_minimum: false, limit, raise: 0.0 }
     }
 }
 
 /// What is judged, and where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Criterion {
+    /// Airspeed that diverges without swinging.
+    AirspeedDivergence,
+    /// Pitch attitude or angle of attack that diverges without swinging.
+    PitchDivergence,
     /// Phugoid damping.
     Phugoid,
     /// Short-period damping.
@@ -143,6 +150,8 @@ pub enum Criterion {
 
 keys! {
     Criterion {
+        AirspeedDivergence => "airspeed-divergence",
+        PitchDivergence => "pitch-divergence",
         Phugoid => "phugoid",
         ShortPeriodDamping => "short-period-damping",
         ShortPeriodFrequency => "short-period-frequency",
@@ -154,9 +163,11 @@ keys! {
 }
 
 impl Criterion {
-    /// The mode that it judges.
+    /// The mode that it judges, by the name of its oscillation where that has parted into two real roots.
     pub const fn concerns(self) -> ModeName {
         match self {
+            Self::AirspeedDivergence => ModeName::SpeedDivergence,
+            Self::PitchDivergence => ModeName::PitchDivergence,
             Self::Phugoid => ModeName::Phugoid,
             Self::ShortPeriodDamping | Self::ShortPeriodFrequency => ModeName::ShortPeriod,
             Self::DutchRoll => ModeName::DutchRoll,
@@ -166,16 +177,11 @@ impl Criterion {
         }
     }
 
-    /// Whether it judges a mode by this name: that of [`concerns`](Self::concerns), or one of the two real roots it has become.
-    pub fn judges(self, name: ModeName) -> bool {
-        let families = [SHORT_PERIOD, PHUGOID, DUTCH_ROLL];
-        let family = families.iter().find(|family| family.contains(&self.concerns()));
-        family.map_or(self.concerns() == name, |family| family.contains(&name))
-    }
-
     /// Paragraph of MIL-F-8785C.
     pub const fn paragraph(self) -> &'static str {
         match self {
+            Self::AirspeedDivergence => "3.2.1.1",
+            Self::PitchDivergence => "3.2.2.2",
             Self::Phugoid => "3.2.1.2",
             Self::ShortPeriodDamping => "3.2.2.1.2",
             Self::ShortPeriodFrequency => "3.2.2.1.1",
@@ -189,6 +195,8 @@ impl Criterion {
     /// Where in MIL-F-8785C the limits stand.
     pub const fn source(self, category: Category) -> Source {
         match self {
+            Self::AirspeedDivergence => Source::Text { page: 11 },
+            Self::PitchDivergence => Source::Text { page: 13 },
             Self::Phugoid => Source::Text { page: 12 },
             Self::ShortPeriodDamping => Source::Table { number: "IV", page: 13 },
             Self::ShortPeriodFrequency => match category {
@@ -235,6 +243,9 @@ use Quantity::{
     ControlAnticipation, DampingProduct, DampingRatio, LoadFactorSlope, NaturalFrequency, TimeConstant,
     TimeToDouble,
 };
+
+/// 3.2.1.1, p. 11: what Level 3 asks of a divergence of airspeed. Levels 1 and 2 allow none.
+pub(super) const LEAST_TIME_TO_DOUBLE_AIRSPEED: Requirement = Requirement::at_least(TimeToDouble, 6.0);
 
 /// 3.2.1.2, p. 12.
 pub(super) fn phugoid() -> Levels {
@@ -307,7 +318,7 @@ pub(super) fn dutch_roll(class: Class, category: Category, wn: f64, phi_rule: f6
             requirements.push(if class == Class::III && product > 0.7 * wn {
                 Requirement::at_least(DampingRatio, 0.7)
             } else {
-                Requirement::at_least(DampingProduct, product)
+                Requirement { raise, ..Requirement::at_least(DampingProduct, product) }
             });
         }
         requirements.push(Requirement::at_least(NaturalFrequency, frequency));

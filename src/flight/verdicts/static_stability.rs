@@ -1,30 +1,33 @@
 //! Static stability: which way the first moment points, a statement apart from what happens afterwards.
 //!
-//! In pitch it is one statement, det A > 0: without it a real root grows. Sideways it is two, on the moments that a
-//! sideslip calls up: the nose must turn into the wind, N_v > 0, and the wings away from it, L_v < 0 (Etkin & Reid,
-//! *Dynamics of Flight*, §§3.9, 3.11). A slow spiral that grows is neither: the spiral condition stands apart.
+//! In pitch it is the stiffness, M_w < 0: a nose that is lifted must come down again. Sideways there are two, on the moments
+//! that a sideslip calls up: the nose must turn into the wind, N_v > 0, and the wings away from it, L_v < 0 (Etkin & Reid,
+//! *Dynamics of Flight*, §§3.9, 3.11).
+//!
+//! det A is a second statement, which has the terms of speed in it: where it is negative, a real root grows. Its being positive
+//! proves nothing, as two real roots may grow. A slow spiral that grows is no matter of stiffness: the spiral condition stands apart.
 
 use nalgebra::Matrix4;
 
 use crate::flight::aircraft::aircraft_model::DerivativeModel;
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
-use crate::flight::aircraft::states::{Lateral, Longitudinal};
+use crate::flight::aircraft::states::{Lateral, Longitudinal, entry};
 use crate::flight::modes::stability::Stability;
 
-/// det A and what its sign says: det A > 0 ⇔ an even number of real roots grow, so that none grows alone.
-fn verdict_of_determinant(a: &Matrix4<f64>) -> (Stability, f64) {
+/// det A and its sign, neutral where rounding decides it: det A > 0 ⇔ an even number of real roots grow, so that none grows alone.
+fn determinant_and_sign(a: &Matrix4<f64>) -> (f64, Stability) {
     let determinant = a.determinant();
     // Rounding of a 4×4 determinant: a few ulps of the product of the row lengths (Hadamard's bound).
     let rounding = 1e-13 * a.row_iter().map(|row| row.norm()).product::<f64>();
-    let verdict = if determinant.abs() <= rounding {
+    let sign = if determinant.abs() <= rounding {
         Stability::Neutral
     } else if determinant > 0.0 {
         Stability::Stable
     } else {
         Stability::Unstable
     };
-    (verdict, determinant)
+    (determinant, sign)
 }
 
 /// One stiffness: the moment that a displacement calls up, and whether it points back.
@@ -45,19 +48,38 @@ impl Stiffness {
         };
         Self { value, verdict }
     }
+
+    /// Pitch stiffness M_w of a bare matrix in stability axes. Its rows of q have M_u + M_ẇ Z_u and M_w + M_ẇ Z_w in one; a lag
+    /// of the downwash (M_ẇ < 0) is taken out as if M_u were zero, and where that is none, nothing is.
+    fn of_matrix(a: &Matrix4<f64>) -> Self {
+        let of_row =
+            |row| [Longitudinal::U, Longitudinal::W].map(|column: Longitudinal| entry(a, row, column));
+        let ([z_u, z_w], [m_u, m_w]) = (of_row(Longitudinal::W), of_row(Longitudinal::Q));
+        // M_ẇ = A_qu/Z_u,  M_w = A_qw − M_ẇ Z_w
+        let folded = Some(m_u / z_u).filter(|lag| lag.is_finite() && *lag < 0.0).map_or(0.0, |lag| lag * z_w);
+        let value = (m_w - folded).clamp(-f64::MAX, f64::MAX);
+        // Rounding of the difference
+        if value.abs() <= 1e-12 * (m_w.abs() + folded.abs()) {
+            Self::new(0.0, -1.0)
+        } else {
+            Self::new(value, -1.0)
+        }
+    }
 }
 
 /// Static stability in one plane. It says nothing about oscillations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneStaticStability {
-    /// The verdict on the whole plane: longitudinally from the sign of det A, laterally from both stiffnesses.
+    /// The verdict on the whole plane: of the pitch stiffness, or the worse of those in yaw and roll.
     pub verdict: Stability,
     /// det A = λ₁λ₂λ₃λ₄ = E \[1/s⁴\], the constant term of the characteristic polynomial.
     pub determinant: f64,
+    /// What the sign of det A says: unstable where it is negative, so that a real root grows. Stable is necessary, not enough.
+    pub of_determinant: Stability,
     /// The stiffnesses.
     pub stiffness: PlaneStiffness,
-    /// Whether they are derivatives as such, in the axes of the source; or else entries of A in stability axes, which have
-    /// the ẇ terms or the product of inertia folded in.
+    /// Whether they are derivatives as such, in the axes of the source; or else found from A in stability axes: M_w as if M_u
+    /// were zero, N_v and L_v with the product of inertia folded in.
     pub is_plain: bool,
 }
 
@@ -93,7 +115,7 @@ pub fn plane_static_stability(
     derivatives: Option<&DerivativeModel>,
 ) -> PlaneStaticStability {
     let PlaneModel { plane, a, .. } = model.model();
-    let (of_determinant, determinant) = verdict_of_determinant(a);
+    let (determinant, of_determinant) = determinant_and_sign(a);
     let is_plain;
     let stiffness = match plane {
         Plane::Longitudinal => {
@@ -104,7 +126,7 @@ pub fn plane_static_stability(
             let plain = derivatives.and_then(|d| d.longitudinal).map(|d| d.m_w);
             is_plain = plain.is_some();
             PlaneStiffness::Longitudinal {
-                m_w: Stiffness::new(plain.unwrap_or(m_w), -1.0),
+                m_w: plain.map_or_else(|| Stiffness::of_matrix(a), |plain| Stiffness::new(plain, -1.0)),
                 to_manoeuvre_point: to_manoeuvre_point.is_finite().then_some(to_manoeuvre_point),
             }
         }
@@ -123,10 +145,10 @@ pub fn plane_static_stability(
         }
     };
     let verdict = match stiffness {
-        PlaneStiffness::Longitudinal { .. } => of_determinant,
+        PlaneStiffness::Longitudinal { m_w, .. } => m_w.verdict,
         PlaneStiffness::Lateral { n_v, l_v, .. } => n_v.verdict.max(l_v.verdict),
     };
-    PlaneStaticStability { verdict, determinant, stiffness, is_plain }
+    PlaneStaticStability { verdict, determinant, of_determinant, stiffness, is_plain }
 }
 
 /// Static margin H_n = −Cm_α/CL_α, in chords the neutral point is behind the centre of gravity; `None` if CL_α is zero.

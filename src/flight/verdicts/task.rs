@@ -10,3 +10,10 @@ pub struct Task {
     /// Category of flight phase.
     pub category: Category,
 }
+
+/// A light aircraft in cruise: judged at first where an aircraft has no class of its own.
+impl Default for Task {
+    fn default() -> Self {
+        Self { class: Class::I, category: Category::B }
+    }
+}

@@ -24,6 +24,8 @@ pub use pieces::LONGEST;
 use super::{Choice, Parameter, Scenario, Source, View, parameters};
 use crate::content::{Aircraft, LengthUnit};
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::verdicts::mil_f_8785c::{Category, Class};
+use crate::flight::verdicts::task::Task;
 use crate::key::Keyed;
 use pieces::Pieces;
 
@@ -71,6 +73,18 @@ fn write_aircraft(scenario: &Scenario, prefix: &str, pieces: &mut Vec<(String, S
         if value != usual {
             pieces.push((key, number::write(value, unit(p))));
         }
+    }
+    write_task(scenario, prefix, pieces);
+}
+
+/// The task that levels are judged for, where it differs from that of the aircraft's file.
+fn write_task(scenario: &Scenario, prefix: &str, pieces: &mut Vec<(String, String)>) {
+    let (Some(task), usual) = (scenario.task, scenario.aircraft.task) else { return };
+    if usual.is_none_or(|usual| usual.class != task.class) {
+        pieces.push((format!("{prefix}{}", words::CLASS), task.class.in_links().to_owned()));
+    }
+    if usual.is_none_or(|usual| usual.category != task.category) {
+        pieces.push((format!("{prefix}{}", words::CATEGORY), task.category.in_links().to_owned()));
     }
 }
 
@@ -144,6 +158,7 @@ fn read_version(pieces: &mut Pieces) {
 
 /// What was done to the aircraft: first what is free, then what is added to the rest, then values of the rest.
 fn read_edits(pieces: &mut Pieces, prefix: &str, scenario: &mut Scenario) {
+    read_task(pieces, prefix, scenario);
     let reference = Scenario::new(scenario.aircraft.clone());
     let of_aircraft = |p: &&Parameter| !p.is_of_disturbance();
     for p in parameters().filter(of_aircraft) {
@@ -182,9 +197,23 @@ fn read_edits(pieces: &mut Pieces, prefix: &str, scenario: &mut Scenario) {
     }
 }
 
+/// The task that levels are judged for. One word alone stands beside what the aircraft's file says, or what is judged at first.
+fn read_task(pieces: &mut Pieces, prefix: &str, scenario: &mut Scenario) {
+    let class = pieces.take_as(&format!("{prefix}{}", words::CLASS), Class::by_key);
+    let category = pieces.take_as(&format!("{prefix}{}", words::CATEGORY), Category::by_key);
+    if class.is_some() || category.is_some() {
+        let Task { class: usual_class, category: usual_category } = scenario.task.unwrap_or_default();
+        scenario.task =
+            Some(Task { class: class.unwrap_or(usual_class), category: category.unwrap_or(usual_category) });
+    }
+}
+
 /// Takes every edit of an aircraft out of the link; whether there were any.
 fn take_edits(pieces: &mut Pieces, prefix: &str) -> bool {
     let mut any = false;
+    for key in [words::CLASS, words::CATEGORY] {
+        any |= pieces.take(&format!("{prefix}{key}")).is_some();
+    }
     for p in parameters().filter(|p| !p.is_of_disturbance()) {
         any |= pieces.take(&format!("{prefix}{}", p.key)).is_some();
         any |= pieces.take(&format!("{prefix}{}{}", words::ADDED, p.key)).is_some();

@@ -6,6 +6,12 @@ pub(super) const ADDED: &str = "add.";
 /// Before the keys of the pinned state.
 pub(super) const PINNED: &str = "pin.";
 
+/// Class of aircraft that levels are judged for.
+pub(super) const CLASS: &str = "class";
+
+/// Category of flight phase that levels are judged for.
+pub(super) const CATEGORY: &str = "category";
+
 /// The parameter of the time shown: with a value it stays.
 pub(super) const TIME: &str = "time";
 

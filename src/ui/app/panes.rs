@@ -7,6 +7,7 @@ use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::{Page, Parameter, Source, View, parameters};
 use crate::ui::derivatives::{Chosen, Rows, derivatives_ui, is_listed};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
+use crate::ui::overall_level::overall_level_ui;
 use crate::ui::poles::PoleMapContent;
 use crate::ui::theme::Palette;
 use crate::words;
@@ -113,6 +114,7 @@ impl App {
             return None;
         };
         verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
+        overall_level_ui(ui, analysis, &mut self.scenario.task);
         let Some(Remark::MixedUnits(gravity)) = findings.remarks().first().copied() else { return None };
         let warning = words::stability::mixed_units(gravity);
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);

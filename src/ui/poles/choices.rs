@@ -66,9 +66,9 @@ impl Choices {
             "Textbook approximations",
             "Where the textbook approximations put the poles: hollow diamonds",
         );
-        let task = findings.scenario().task();
+        let task = findings.scenario().task;
         ui.add_enabled_ui(task.is_some(), |ui| {
-            let hint = task.map_or("The source names no class of aircraft", |_| {
+            let hint = task.map_or("Choose a class of aircraft above the mode cards first: its source names none", |_| {
                 "Boundaries of the handling-quality levels of MIL-F-8785C, hatched on the side that fails"
             });
             toggle(ui, &mut marks.levels, "Levels", "Level boundaries", hint);

@@ -160,8 +160,12 @@ pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
             } else {
                 format!("At most that, for the {mode}.")
             });
-            if let Some(task) = seen.findings.scenario().task() {
-                let source = words::verdict::citation(criterion, task.category);
+            if let Some(task) = seen.findings.scenario().task {
+                let source = format!(
+                    "{}; {}",
+                    words::verdict::citation(criterion, task.category),
+                    words::verdict::task(task)
+                );
                 ui.label(RichText::new(source).font(theme::small()).color(palette.weak));
             }
         }

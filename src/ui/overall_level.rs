@@ -1,0 +1,58 @@
+//! The level of handling qualities as a whole, and for which class of aircraft and phase of flight it is judged.
+
+use egui::{ComboBox, RichText, Ui};
+
+use super::mode_cards::tone;
+use super::theme::{self, Palette};
+use crate::flight::Analysis;
+use crate::flight::verdicts::task::Task;
+use crate::key::Keyed;
+use crate::words;
+
+/// Shows the overall level of the aircraft, and lets a person choose the `task` it is judged for.
+pub fn overall_level_ui(ui: &mut Ui, analysis: &Analysis, task: &mut Option<Task>) {
+    let palette = Palette::of(ui);
+    ui.horizontal_wrapped(|ui| {
+        let mut class = task.map(|task| task.class);
+        let shown = class.map_or("Levels: choose a class", words::verdict::class);
+        choose(ui, "Class of aircraft", shown, &mut class, words::verdict::class_with_aircraft);
+        let mut category = task.map(|task| task.category);
+        if let Some(chosen) = category {
+            let shown = words::verdict::category(chosen);
+            choose(
+                ui,
+                "Category of flight phase",
+                shown,
+                &mut category,
+                words::verdict::category_with_phases,
+            );
+        }
+        if let Some(class) = class {
+            let category = category.unwrap_or_else(|| Task::default().category);
+            *task = Some(Task { class, category });
+        }
+        if let Some(overall) = analysis.overall_level() {
+            let (color, _) = palette.verdict(tone(overall.level));
+            let text = words::verdict::overall(&overall);
+            ui.label(RichText::new(text).font(theme::small()).color(color))
+                .on_hover_text(words::verdict::sentence(overall.governing));
+        }
+    });
+}
+
+/// A list of values to choose from, named for a person who doesn't see it.
+fn choose<T: Keyed>(
+    ui: &mut Ui,
+    name: &str,
+    shown: &str,
+    value: &mut Option<T>,
+    words: impl Fn(T) -> &'static str,
+) {
+    let chooser = ComboBox::from_id_salt(name).selected_text(RichText::new(shown).font(theme::small()));
+    let chooser = chooser.show_ui(ui, |ui| {
+        for &choice in T::VALUES {
+            ui.selectable_value(value, Some(choice), words(choice));
+        }
+    });
+    theme::name_chooser(chooser, name, shown);
+}
