@@ -319,3 +319,16 @@ fn a_frequency_response_asked_for_in_json_is_the_same() {
     assert_eq!((report.plane, report.disturbance, report.input.name), ("lateral", "rudder", "rudder"));
     assert_eq!(told, Ok(serde_json::to_string(&report).expect("JSON")));
 }
+
+/// Far elevator takes the Navion to a steady speed that the linear model gives but doesn't hold for.
+#[test]
+fn a_steady_value_beyond_the_linear_model_is_not_told() {
+    let report = |elevator: f64| {
+        let subject = Subject { set: vec![("elevator".to_owned(), elevator)], ..Subject::listed("navion") };
+        let request = ResponseRequest { shape: Some("step".to_owned()), ..ResponseRequest::default() };
+        respond(&subject.scenario().expect("an aircraft"), &request).expect("a motion").metrics
+    };
+    let (near, far) = (report(0.01), report(-0.25));
+    assert!(!near.steady_is_beyond && near.outputs[0].steady.is_some());
+    assert!(far.steady_is_beyond && far.outputs.iter().all(|of| of.steady.is_none()), "{far:?}");
+}

@@ -128,7 +128,7 @@ fn a_sentence_tells_both_limits() {
     let damping = sentence(Criterion::ShortPeriodDamping);
     assert!(damping.contains("lies within Level 1’s 0.300 to 2.00 (MIL-F-8785C"), "{damping}");
     let frequency = sentence(Criterion::ShortPeriodFrequency);
-    assert!(frequency.contains("lies within Level 1’s 0.0850 to 3.60 (rad/s)²/(g/rad)"), "{frequency}");
+    assert!(frequency.contains("lies within Level 1’s 0.0850 to 3.60 rad/s² per g"), "{frequency}");
     assert!(sentence(Criterion::Phugoid).contains("Level 1 asks at least 0.0400"));
 }
 

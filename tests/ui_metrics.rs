@@ -94,9 +94,13 @@ fn compare(
     }
     let MetricsReport { phugoid_swing, time_to_bank, control_anticipation, .. } = report.metrics;
     for (value, words) in [
-        (phugoid_swing, "Phugoid, first swing of the height: "),
+        (phugoid_swing, "Height from the phugoid’s first turning point to its second: "),
         (time_to_bank, "30° of bank after "),
-        (control_anticipation, "Control anticipation parameter, from this response: "),
+        (
+            control_anticipation,
+            "Control anticipation parameter CAP of this motion, the first pitch acceleration over the load factor at which the \
+             short period settles: ",
+        ),
     ] {
         let line = shown.iter().find_map(|text| text.strip_prefix(words));
         let number = line.and_then(|line| line.split(' ').next()).map(str::to_owned);

@@ -18,6 +18,8 @@ pub struct MetricsReport {
     pub peak_load_factor: Option<PeakReport>,
     /// Load factor where the linear model ends while it is still growing; null where it has a peak.
     pub load_factor_beyond: Option<f64>,
+    /// Whether there are no steady values only because the linear model ends on the way to them.
+    pub steady_is_beyond: bool,
     /// Time after the start at which the bank angle first is 30° either way \[s\]; of lateral motion but in turbulence.
     pub time_to_bank: Option<f64>,
     /// Height between the first two turning points of the phugoid's part of the height \[m\]; of longitudinal motion but in turbulence.
@@ -38,7 +40,7 @@ pub struct OutputMetricsReport {
     pub peak: Option<PeakReport>,
     /// Value where the linear model ends while it is still growing, nobody knows how far; null where it has a peak.
     pub beyond: Option<f64>,
-    /// Value that it goes to after a step; null where it goes to none.
+    /// Value that it goes to after a step; null where it goes to none, or where the linear model ends on the way.
     pub steady: Option<f64>,
     /// Time from 10 % to 90 % of the steady value, both for the first time \[s\]; null too where the linear model ends on the way.
     pub rise_time: Option<f64>,
@@ -68,6 +70,7 @@ impl MetricsReport {
             outputs: metrics.outputs.iter().map(OutputMetricsReport::of).collect(),
             peak_load_factor,
             load_factor_beyond,
+            steady_is_beyond: metrics.steady_is_beyond,
             time_to_bank: metrics.time_to_bank,
             phugoid_swing: metrics.phugoid_swing,
             control_anticipation: metrics.control_anticipation,

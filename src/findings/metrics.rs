@@ -8,8 +8,8 @@ use crate::flight::motion::course::Course;
 use crate::flight::motion::inputs::Input;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response_metrics::{
-    StepMetrics, control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_metrics,
-    time_to_bank,
+    StepMetrics, control_anticipation, peak, phugoid_swing, root_mean_square, steady_is_beyond,
+    steady_output, step_metrics, time_to_bank,
 };
 use crate::scenario::{START, Scenario, Source};
 
@@ -29,6 +29,8 @@ pub struct Metrics {
     pub time_to_bank: Option<f64>,
     /// Height between the first two turning points of the phugoid's part of the height \[m\]; of longitudinal motion but in turbulence.
     pub phugoid_swing: Option<f64>,
+    /// Whether there are no steady values although every mode dies away: on the way to them the motion is no small disturbance.
+    pub steady_is_beyond: bool,
     /// First pitch acceleration over the load factor at which the short period settles \[rad/s² per g\]; of the elevator.
     pub control_anticipation: Option<f64>,
 }
@@ -40,7 +42,7 @@ pub struct OutputMetrics {
     pub output: Output,
     /// Its value farthest from zero.
     pub extreme: Option<Extreme>,
-    /// Value that it goes to after a step, where every mode dies away.
+    /// Value that it goes to after a step, where every mode dies away and the motion is small all the way.
     pub steady: Option<f64>,
     /// How fast a step is answered and how far over; `None` too where the linear model ends on the way.
     pub step: Option<StepMetrics>,
@@ -73,7 +75,11 @@ impl Metrics {
         // Let go, in one mode and in turbulence the disturbance is there from the first.
         let start = if choice.shape().is_some() { START } else { 0.0 };
         let is_random = choice.source == Source::Turbulence;
-        let of_output = |&output: &Output| OutputMetrics::of(output, motion, modes, &course, is_random);
+        let steady_is_beyond = is_step(motion) && steady_is_beyond(model, modes, forced);
+        let of_output = |&output: &Output| {
+            let of_output = OutputMetrics::of(output, motion, modes, &course, is_random);
+            if steady_is_beyond { OutputMetrics { steady: None, step: None, ..of_output } } else { of_output }
+        };
         let outputs: Vec<OutputMetrics> = Output::of(plane).iter().map(of_output).collect();
         let load = match plane {
             Plane::Longitudinal => Output::NormalLoad,
@@ -86,12 +92,18 @@ impl Metrics {
             start,
             load_factor: outputs.iter().find(|of| of.output == load).and_then(|of| of.extreme),
             outputs,
+            steady_is_beyond,
             // Of irregular air neither says anything of the aircraft.
             time_to_bank: (plane == Plane::Lateral && !is_random).then(banked).flatten(),
             phugoid_swing: (plane == Plane::Longitudinal && !is_random).then(swing).flatten(),
             control_anticipation: (choice.source == Source::Elevator).then(anticipation).flatten(),
         }
     }
+}
+
+/// Whether a step is the disturbance.
+fn is_step(motion: &Motion) -> bool {
+    matches!(motion.forced.forcings.first().map(|forcing| &forcing.input), Some(Input::Step { .. }))
 }
 
 impl OutputMetrics {

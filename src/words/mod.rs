@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`approximation`] | textbook approximations |
 //! | `errors` | why something can't be had: `Display` of the errors |
+//! | [`metrics`] | metrics of a motion as a whole |
 //! | [`mode`] | names of modes |
 //! | [`naming`] | the reason for a name |
 //! | `notice` | what was left out of a link |
@@ -19,6 +20,7 @@
 
 pub mod approximation;
 mod errors;
+pub mod metrics;
 pub mod mode;
 pub mod naming;
 mod notice;

@@ -110,7 +110,7 @@ pub const fn unit(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::DampingRatio | Quantity::RollToSideslip => "",
         Quantity::NaturalFrequency | Quantity::DampingProduct => "rad/s",
-        Quantity::ControlAnticipation => "(rad/s)²/(g/rad)",
+        Quantity::ControlAnticipation => "rad/s² per g",
         Quantity::LoadFactorSlope => "g/rad",
         Quantity::TimeConstant | Quantity::TimeToDouble => "s",
     }

@@ -1,8 +1,11 @@
 //! A motion as tables for people: samples, metrics, and what else was asked for.
 
 use eigenwing::export::{FlightOutcome, MetricsReport, ResponseReport, Signal, SplitOutcome, SplitReport};
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::key::Keyed;
+use eigenwing::words::metrics as words;
 
-use crate::tables::{heading, number, optional, percent, stride, table};
+use crate::tables::{DIGITS, heading, number, optional, percent, stride, table};
 
 /// Columns of a motion that fit side by side; more are for `--csv`.
 const OUTPUTS: usize = 5;
@@ -18,7 +21,7 @@ pub fn response(report: &ResponseReport) -> String {
     if let Some(time) = report.cut_at {
         text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));
     }
-    text += &metrics(&report.metrics);
+    text += &metrics(report.plane, &report.metrics);
     match &report.nonlinear {
         Some(FlightOutcome::Flown(flight)) => {
             text += "\nNonlinear flight\n";
@@ -59,7 +62,7 @@ fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>) -> Strin
 }
 
 /// A row an output, and what concerns the whole motion.
-fn metrics(metrics: &MetricsReport) -> String {
+fn metrics(plane: &str, metrics: &MetricsReport) -> String {
     let seconds = |time: Option<f64>| time.map_or_else(String::new, |t| format!("{} s", number(t)));
     let is_random = metrics.outputs.iter().any(|of| of.root_mean_square.is_some());
     let rows = metrics.outputs.iter().map(|of| {
@@ -77,23 +80,17 @@ fn metrics(metrics: &MetricsReport) -> String {
     let columns: &[&str] = if is_random { &["r.m.s."] } else { &["steady", "rise", "settled", "overshoot"] };
     let head: Vec<&str> = ["output", "peak", "at"].iter().chain(columns).copied().collect();
     let mut text = format!("\n{}", table(1, &head, rows));
-    if let Some(value) = metrics.load_factor_beyond {
-        let value = number(value);
-        text +=
-            &format!("Change of load factor: beyond {value} g, still growing where the linear model ends\n");
-    }
-    if let Some(peak) = metrics.peak_load_factor {
-        let (value, time) = (number(peak.value), number(peak.time));
-        text += &format!("Largest change of load factor: {value} g at {time} s\n");
-    }
-    if let Some(time) = metrics.time_to_bank {
-        text += &format!("30° of bank after {} s\n", number(time));
-    }
-    if let Some(height) = metrics.phugoid_swing {
-        text += &format!("Phugoid, first swing of the height: {} m\n", number(height));
-    }
-    if let Some(parameter) = metrics.control_anticipation {
-        text += &format!("Control anticipation parameter: {} rad/s² per g\n", number(parameter));
+    let plane = Plane::by_key(plane).unwrap_or(Plane::Longitudinal);
+    let lines = [
+        metrics.load_factor_beyond.map(|value| words::load_factor_beyond(plane, value, DIGITS)),
+        metrics.peak_load_factor.map(|peak| words::largest_load_factor(plane, peak.value, peak.time, DIGITS)),
+        metrics.time_to_bank.map(|time| words::time_to_bank(time, DIGITS)),
+        metrics.phugoid_swing.map(|height| words::phugoid_swing(height, DIGITS)),
+        metrics.control_anticipation.map(|cap| words::control_anticipation(cap, DIGITS)),
+        metrics.steady_is_beyond.then(|| words::STEADY_BEYOND.to_owned()),
+    ];
+    for line in lines.into_iter().flatten() {
+        text += &format!("{line}\n");
     }
     text
 }

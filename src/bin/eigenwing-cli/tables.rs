@@ -7,7 +7,8 @@ use eigenwing::export::{
 };
 use eigenwing::number::significant;
 
-const DIGITS: usize = 4;
+/// Digits of a number.
+pub const DIGITS: usize = 4;
 
 /// A line under the head, nothing else: numbers are read down the columns.
 const STYLE: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));

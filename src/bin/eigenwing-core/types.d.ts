@@ -93,6 +93,8 @@ export type Figures = {
   peak_load_factor: Peak | null,
   /** Load factor where the linear model ends while it is still growing; null where it has a peak. */
   load_factor_beyond: number | null,
+  /** Whether there are no steady values only because the linear model ends on the way to them. */
+  steady_is_beyond: boolean,
   /** Time after the start at which the bank angle first is 30° either way [s]; of lateral motion but in turbulence. */
   time_to_bank: number | null,
   /** Height between the first two turning points of the phugoid's part of the height [m]; of longitudinal motion but in turbulence. */
@@ -323,7 +325,7 @@ export type OutputFigures = {
   peak: Peak | null,
   /** Value where the linear model ends while it is still growing, nobody knows how far; null where it has a peak. */
   beyond: number | null,
-  /** Value that it goes to after a step; null where it goes to none. */
+  /** Value that it goes to after a step; null where it goes to none, or where the linear model ends on the way. */
   steady: number | null,
   /** Time from 10 % to 90 % of the steady value, both for the first time [s]; null too where the linear model ends on the way. */
   rise_time: number | null,

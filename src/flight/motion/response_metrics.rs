@@ -2,7 +2,7 @@
 //!
 //! All are read off the exact motion (see [`super::course`]), so that neither the samples on screen nor the time shown changes them.
 
-use super::course::{Course, Reading};
+use super::course::{Course, Reading, is_small};
 use super::modal_decomposition::{Reading as ModeReading, WORST_SPLIT};
 use super::outputs::{Output, OutputRow};
 use super::response::{DrivenSystem, steady_state};
@@ -200,6 +200,24 @@ pub fn steady_output(
     let size = parts.iter().fold(direct.abs(), |size, part| size.max(part.abs()));
     let value = if value.abs() <= 1e-12 * size { 0.0 } else { value * amplitude };
     value.is_finite().then_some(value)
+}
+
+/// Whether every mode dies away, but the motion after a step, forcing 0, is no small disturbance all the way to its end.
+pub fn steady_is_beyond(model: &PlaneModel, modes: &[Mode], forced: &DrivenSystem) -> bool {
+    let slowest = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
+    let Some(forcing) = forced.forcings.first() else { return false };
+    if !modes.iter().all(|mode| mode.stability == Stability::Stable) {
+        return false;
+    }
+    let amplitude = forcing.input.at(f64::MAX);
+    let end_state = steady_state(&forced.a, &forcing.column).map(|state| state * amplitude);
+    if !end_state.is_some_and(|state| is_small(model, &state)) {
+        return true;
+    }
+    // e^{σt} = SETTLED
+    let last_edge = forcing.input.edges().fold(0.0, f64::max);
+    let settled = last_edge + SETTLED.ln() / slowest;
+    Course::new(model, forced, modes, settled).small_until.is_some()
 }
 
 /// Time \[s\] and value of an output where it is farthest from zero; `None` of nothing.

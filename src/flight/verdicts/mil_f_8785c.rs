@@ -90,7 +90,7 @@ pub enum Quantity {
     NaturalFrequency,
     /// ζωₙ \[rad/s\].
     DampingProduct,
-    /// Control anticipation parameter ωₙ²/(n/α) \[(rad/s)²/(g/rad)\].
+    /// Control anticipation parameter ωₙ²/(n/α) \[rad/s² per g\].
     ControlAnticipation,
     /// n/α \[g/rad\].
     LoadFactorSlope,

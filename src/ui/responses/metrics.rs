@@ -10,6 +10,7 @@ use crate::number::significant;
 use crate::scenario::{Scenario, Source};
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// A table of every output, and what concerns the whole motion.
 pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
@@ -30,7 +31,10 @@ pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
             "Rise: from 10 % to 90 % of the steady value. Settled: within 2 % of it for good. Both only after a step, \
              and where every mode dies away."
         };
-        ui.label(RichText::new(about).font(theme::small()).color(Palette::of(ui).weak));
+        let beyond = metrics.steady_is_beyond.then_some(words::metrics::STEADY_BEYOND);
+        for text in beyond.into_iter().chain([about]) {
+            ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).weak));
+        }
     });
 }
 
@@ -41,30 +45,17 @@ fn in_turbulence(scenario: &Scenario) -> bool {
 
 /// Metrics of the whole motion, a sentence each.
 fn of_the_whole(metrics: &Metrics, plane: Plane) -> Vec<String> {
-    let seconds = |time: f64| format!("{} s", significant(time, 3));
-    let (load, digits) = match plane {
-        Plane::Longitudinal => ("change of load factor", 3),
-        Plane::Lateral => ("lateral load factor", 2),
+    let digits = match plane {
+        Plane::Longitudinal => 3,
+        Plane::Lateral => 2,
     };
     let load = metrics.load_factor.map(|extreme| match extreme {
-        Extreme::Peak { value, time } => {
-            format!("Largest {load}: {} g at {}", significant(value, digits), seconds(time))
-        }
-        Extreme::Beyond(value) => format!(
-            "Largest {load}: beyond {} g, still growing where the linear model ends",
-            significant(value, digits)
-        ),
+        Extreme::Peak { value, time } => words::metrics::largest_load_factor(plane, value, time, digits),
+        Extreme::Beyond(value) => words::metrics::load_factor_beyond(plane, value, digits),
     });
-    let swing = metrics
-        .phugoid_swing
-        .map(|height| format!("Phugoid, first swing of the height: {} m", significant(height, 3)));
-    let anticipation = metrics.control_anticipation.map(|parameter| {
-        format!(
-            "Control anticipation parameter, from this response: {} rad/s² per g",
-            significant(parameter, 3)
-        )
-    });
-    let banked = metrics.time_to_bank.map(|time| format!("30° of bank after {}", seconds(time)));
+    let swing = metrics.phugoid_swing.map(|height| words::metrics::phugoid_swing(height, 3));
+    let anticipation = metrics.control_anticipation.map(|cap| words::metrics::control_anticipation(cap, 3));
+    let banked = metrics.time_to_bank.map(|time| words::metrics::time_to_bank(time, 3));
     let lines = match plane {
         Plane::Longitudinal => [load, swing, anticipation],
         Plane::Lateral => [banked, load, None],
