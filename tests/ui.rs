@@ -182,13 +182,46 @@ fn resetting_takes_back_one_or_all() {
 }
 
 #[test]
+fn the_overall_level_is_told_for_the_class_and_category_that_are_chosen() {
+    let mut harness = page(WIDE);
+    harness.get_by_label("Level 1 overall, every criterion is met");
+    choose(&mut harness, "Class of aircraft", "Class IV: high manoeuvrability");
+    choose(&mut harness, "Category of flight phase", "Category A, combat: air combat and ground attack");
+    // Table VI asks ζ ≥ 0.4 of a Class IV aircraft in air combat; the Navion's Dutch roll has 0.2.
+    harness.get_by_label("Level 2 overall, set by the Dutch roll");
+    type_into(&mut harness, "pitch stiffness C_mα, typed", "0.03");
+    harness.get_by_label("Level 3 overall, set by the divergence of airspeed");
+    // One step back each
+    for _ in 0..3 {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        harness.run();
+    }
+    assert_eq!(app(&harness).scenario().task, app(&harness).scenario().aircraft.task);
+    // Where the source names no class, none is judged until one is chosen.
+    choose(&mut harness, "Aircraft", "Lesson 4, gravity in the same unit");
+    assert_eq!(harness.query_all_by_label_contains(" overall, ").count(), 0);
+    choose(&mut harness, "Class of aircraft", "Class I: small and light");
+    assert_eq!(harness.query_all_by_label_contains(" overall, ").count(), 1);
+}
+
+#[test]
+fn a_changed_aircraft_is_modified_and_not_verified() {
+    let mut harness = page(WIDE);
+    harness.get_by_label("✓ verified");
+    type_into(&mut harness, "pitch stiffness C_mα, typed", "-0.5");
+    assert!(harness.query_by_label("✓ verified").is_none());
+    harness.get_by_label("modified");
+}
+
+#[test]
 fn the_printed_lesson_warns_of_its_units_and_compares_with_the_mended_one() {
     let mut harness = page(WIDE);
     choose(&mut harness, "Aircraft", "Lesson 4, as printed");
     assert_eq!(app(&harness).scenario().aircraft.key, "lesson-printed");
     harness.get_by_label_contains("g/U₀ = 5.6 1/s");
     harness.get_by_label_contains("Dynamically unstable: the phugoid doubles every 4.1 s");
-    harness.get_by_label_contains("Statically stable: det A = 18.1 1/s⁴ > 0");
+    harness.get_by_label_contains("Statically stable in pitch: ");
+    harness.get_by_label_contains("det\u{a0}A\u{a0}=\u{a0}18.1\u{a0}1/s⁴\u{a0}>\u{a0}0");
     harness.get_by_label("Compare with gravity in the same unit").click();
     harness.run();
     harness.get_by_label_contains("pinned: Lesson 4, gravity in the same unit");

@@ -11,8 +11,15 @@ use crate::words;
 
 /// Shows the overall level of the aircraft, and lets a person choose the `task` it is judged for.
 pub fn overall_level_ui(ui: &mut Ui, analysis: &Analysis, task: &mut Option<Task>) {
-    let palette = Palette::of(ui);
+    if let Some(overall) = analysis.overall_level() {
+        let (color, _) = Palette::of(ui).verdict(tone(overall.level));
+        let text =
+            RichText::new(words::verdict::overall(&overall)).font(theme::semibold(theme::sizes(ui).value));
+        ui.label(text.color(color)).on_hover_text(words::verdict::sentence(overall.governing));
+    }
     ui.horizontal_wrapped(|ui| {
+        // No wider than what they show, so that both stand in one row of a card.
+        ui.spacing_mut().combo_width = 0.0;
         let mut class = task.map(|task| task.class);
         let shown = class.map_or("Levels: choose a class", words::verdict::class);
         choose(ui, "Class of aircraft", shown, &mut class, words::verdict::class_with_aircraft);
@@ -30,12 +37,6 @@ pub fn overall_level_ui(ui: &mut Ui, analysis: &Analysis, task: &mut Option<Task
         if let Some(class) = class {
             let category = category.unwrap_or_else(|| Task::default().category);
             *task = Some(Task { class, category });
-        }
-        if let Some(overall) = analysis.overall_level() {
-            let (color, _) = palette.verdict(tone(overall.level));
-            let text = words::verdict::overall(&overall);
-            ui.label(RichText::new(text).font(theme::small()).color(color))
-                .on_hover_text(words::verdict::sentence(overall.governing));
         }
     });
 }

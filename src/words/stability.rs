@@ -50,9 +50,11 @@ pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: 
             }
             let determinant = significant(determinant, 3);
             readings.push(match of_determinant {
-                Stability::Stable => format!("det A = {determinant}\u{a0}1/s⁴\u{a0}>\u{a0}0"),
-                Stability::Neutral => "det A\u{a0}≈\u{a0}0".to_owned(),
-                Stability::Unstable => format!("det A = {determinant}\u{a0}1/s⁴\u{a0}<\u{a0}0"),
+                Stability::Stable => format!("det\u{a0}A\u{a0}=\u{a0}{determinant}\u{a0}1/s⁴\u{a0}>\u{a0}0"),
+                Stability::Neutral => "det\u{a0}A\u{a0}≈\u{a0}0".to_owned(),
+                Stability::Unstable => {
+                    format!("det\u{a0}A\u{a0}=\u{a0}{determinant}\u{a0}1/s⁴\u{a0}<\u{a0}0")
+                }
             });
             match verdict {
                 Stability::Stable => "Statically stable in pitch",
