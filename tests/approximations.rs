@@ -168,8 +168,7 @@ fn every_lateral_number_is_that_of_the_formula_beside_it() {
         let [of_p, of_r] = [rows(by_p), rows(by_r)];
         let [l_p, n_p] = [0, 1].map(|i| c * of_p[i] + s * of_r[i]);
         let [l_r, n_r] = [0, 1].map(|i| c * of_r[i] - s * of_p[i]);
-        let [l_beta, n_beta] = [v * l_v, v * n_v];
-        let neutral = l_beta * n_r - n_beta * l_r;
+        let neutral = l_v * n_r - n_v * l_r;
         for found in
             approximations(&StabilityAxes::of(&model), DownwashLag::default(), &modes(&model).expect("modes"))
         {
@@ -178,13 +177,13 @@ fn every_lateral_number_is_that_of_the_formula_beside_it() {
                 damping_ratio: Some(two_zeta_wn / (2.0 * square.sqrt())),
             };
             let want = match found.name {
-                Name::DutchRollTwoStates => pair(-(d.y_v + n_r), n_beta + d.y_v * n_r),
-                Name::DutchRollYawOnly => pair(-n_r, n_beta),
+                Name::DutchRollTwoStates => pair(-(d.y_v + n_r), v * n_v + d.y_v * n_r),
+                Name::DutchRollYawOnly => pair(-n_r, v * n_v),
                 Name::RollDamping => ModeValue::Root(l_p),
                 Name::SpiralWithGravity => {
-                    ModeValue::Root(-(g / v) * neutral / (l_beta * (n_p - g / v) - n_beta * l_p))
+                    ModeValue::Root(-(g / v) * neutral / (l_v * (n_p - g / v) - n_v * l_p))
                 }
-                Name::SpiralQuick => ModeValue::Root(neutral / l_beta),
+                Name::SpiralQuick => ModeValue::Root(neutral / l_v),
                 _ => continue,
             };
             let numbers = |value: ModeValue| match value {

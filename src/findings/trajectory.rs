@@ -155,14 +155,14 @@ impl Trajectory<'_> {
         let (x, _) = self.state(time);
         let rows: &[(&'static str, usize, usize, usize, bool)] = match self.motion.model.plane {
             Plane::Longitudinal => &[
-                ("M_α α", 1, Longitudinal::Q.index(), Longitudinal::W.index(), false),
-                ("M_q q", 1, Longitudinal::Q.index(), Longitudinal::Q.index(), true),
+                ("M′_w w", 1, Longitudinal::Q.index(), Longitudinal::W.index(), false),
+                ("M′_q q", 1, Longitudinal::Q.index(), Longitudinal::Q.index(), true),
             ],
             Plane::Lateral => &[
-                ("N_β β", 2, Lateral::R.index(), Lateral::V.index(), false),
-                ("N_r r", 2, Lateral::R.index(), Lateral::R.index(), true),
-                ("L_β β", 0, Lateral::P.index(), Lateral::V.index(), false),
-                ("L_p p", 0, Lateral::P.index(), Lateral::P.index(), true),
+                ("N′_v v", 2, Lateral::R.index(), Lateral::V.index(), false),
+                ("N′_r r", 2, Lateral::R.index(), Lateral::R.index(), true),
+                ("L′_v v", 0, Lateral::P.index(), Lateral::V.index(), false),
+                ("L′_p p", 0, Lateral::P.index(), Lateral::P.index(), true),
             ],
         };
         let size = |row: usize, column: usize, x: &Vector4<f64>| a[(row, column)] * x[column];

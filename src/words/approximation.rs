@@ -20,7 +20,7 @@ pub const fn name(name: ApproximationName) -> &'static str {
     }
 }
 
-/// Its formula.
+/// Its formula in the symbols of the sliders: without a prime those of the dimensional derivatives, with a prime those of A.
 pub const fn formula(name: ApproximationName) -> &'static str {
     match name {
         ApproximationName::ShortPeriodTwoStates => "ωₙ² = Z_w M_q − V M_w,  2ζωₙ = −(Z_w + M_q + V M_ẇ)",
@@ -31,14 +31,14 @@ pub const fn formula(name: ApproximationName) -> &'static str {
             "ωₙ² = det Aᵣ,  2ζωₙ = −tr Aᵣ,  Aᵣ = A₁₁ − A₁₂ A₂₂⁻¹ A₂₁,  1 = (u, θ), 2 = (w, q)"
         }
         ApproximationName::PhugoidQuartic => "ωₙ² = E/C,  2ζωₙ = D/C − B E/C²,  λ⁴ + Bλ³ + Cλ² + Dλ + E",
-        ApproximationName::DutchRollTwoStates => "ωₙ² = N′_β + Y_v N′_r,  2ζωₙ = −(Y_v + N′_r)",
-        ApproximationName::DutchRollYawOnly => "ωₙ² = N′_β,  2ζωₙ = −N′_r",
+        ApproximationName::DutchRollTwoStates => "ωₙ² = V N′_v + Y_v N′_r,  2ζωₙ = −(Y_v + N′_r)",
+        ApproximationName::DutchRollYawOnly => "ωₙ² = V N′_v,  2ζωₙ = −N′_r",
         ApproximationName::RollDamping => "λ = L′_p",
         ApproximationName::SpiralPolynomial => "λ = −E/D,  λ⁴ + Bλ³ + Cλ² + Dλ + E",
         ApproximationName::SpiralWithGravity => {
-            "λ = −(g/V)(L′_β N′_r − N′_β L′_r) / (L′_β (N′_p − g/V) − N′_β L′_p)"
+            "λ = −(g/V)(L′_v N′_r − N′_v L′_r) / (L′_v (N′_p − g/V) − N′_v L′_p)"
         }
-        ApproximationName::SpiralQuick => "λ = (L′_β N′_r − N′_β L′_r)/L′_β",
+        ApproximationName::SpiralQuick => "λ = (L′_v N′_r − N′_v L′_r)/L′_v",
     }
 }
 
@@ -57,17 +57,24 @@ pub const fn neglects(name: ApproximationName) -> &'static str {
         }
         ApproximationName::PhugoidResidualised => "The time that w and q take: they follow u and θ at once.",
         ApproximationName::PhugoidQuartic => "Powers of the slow roots beside the fast ones.",
-        ApproximationName::DutchRollTwoStates => "Rolling: p and φ are held at zero.",
-        ApproximationName::DutchRollYawOnly => {
-            "Rolling and sideways motion (Y_v): the aircraft turns about a point that flies straight on."
+        ApproximationName::DutchRollTwoStates => {
+            "Rolling: p and φ are held at zero. The primes include the product of inertia."
         }
-        ApproximationName::RollDamping => "Sideslip and yaw: the aircraft rolls about its x axis only.",
+        ApproximationName::DutchRollYawOnly => {
+            "Rolling and sideways motion (Y_v): the aircraft turns about a point that flies straight on. The primes include the \
+             product of inertia."
+        }
+        ApproximationName::RollDamping => {
+            "Sideslip and yaw: the aircraft rolls about its x axis only. The prime includes the product of inertia."
+        }
         ApproximationName::SpiralPolynomial => "Powers of the slow root beside the fast ones.",
         ApproximationName::SpiralWithGravity => {
-            "Powers of the slow root, the side force Y_v and the slope of the flight path: level flight only."
+            "Powers of the slow root, the side force Y_v and the slope of the flight path: level flight only. The primes include \
+             the product of inertia."
         }
         ApproximationName::SpiralQuick => {
-            "Roll damping and N′_p, which make the spiral 3 to 40 times slower: in level flight only its sign is right."
+            "Roll damping and N′_p, which make the spiral 3 to 40 times slower: in level flight only its sign is right. \
+             The primes include the product of inertia."
         }
     }
 }

@@ -245,26 +245,25 @@ fn lateral(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
     use ApproximationName as Name;
     let a = &model.a;
     let (y_v, v, g) = (entry(a, V, V), model.trim.speed, entry(a, V, Phi) / model.trim.gamma0.cos());
-    // N'β = V N'v
-    let [l_beta, l_p, l_r] = [v * entry(a, P, V), entry(a, P, P), entry(a, P, R)];
-    let [n_beta, n_p, n_r] = [v * entry(a, R, V), entry(a, R, P), entry(a, R, R)];
+    let [l_v, l_p, l_r] = [entry(a, P, V), entry(a, P, P), entry(a, P, R)];
+    let [n_v, n_p, n_r] = [entry(a, R, V), entry(a, R, P), entry(a, R, R)];
     let dutch_roll = second_order(modes, DUTCH_ROLL).map(full);
     let root = |name: ModeName| {
         modes.iter().find(|mode| mode.naming.name == name).map(|mode| ModeValue::Root(mode.lambda.re))
     };
     let spiral = root(ModeName::Spiral);
-    // L'β N'r − N'β L'r, which is zero for a neutral spiral
-    let neutral = l_beta * n_r - n_beta * l_r;
+    // L'v N'r − N'v L'r, which is zero for a neutral spiral
+    let neutral = l_v * n_r - n_v * l_r;
     let [_, _, d, e] = polynomial(a);
     vec![
         Approximation {
             name: Name::DutchRollTwoStates,
-            value: SecondOrder::of(-(y_v + n_r), n_beta + y_v * n_r).map(full),
+            value: SecondOrder::of(-(y_v + n_r), v * n_v + y_v * n_r).map(full),
             exact: dutch_roll,
         },
         Approximation {
             name: Name::DutchRollYawOnly,
-            value: SecondOrder::of(-n_r, n_beta).map(full),
+            value: SecondOrder::of(-n_r, v * n_v).map(full),
             exact: dutch_roll,
         },
         Approximation {
@@ -275,10 +274,10 @@ fn lateral(model: &PlaneModel, modes: &[Mode]) -> Vec<Approximation> {
         Approximation { name: Name::SpiralPolynomial, value: finite_root(-e / d), exact: spiral },
         Approximation {
             name: Name::SpiralWithGravity,
-            value: finite_root(-(g / v) * neutral / (l_beta * (n_p - g / v) - n_beta * l_p)),
+            value: finite_root(-(g / v) * neutral / (l_v * (n_p - g / v) - n_v * l_p)),
             exact: spiral,
         },
-        Approximation { name: Name::SpiralQuick, value: finite_root(neutral / l_beta), exact: spiral },
+        Approximation { name: Name::SpiralQuick, value: finite_root(neutral / l_v), exact: spiral },
     ]
 }
 
@@ -298,12 +297,12 @@ fn finite_root(root: f64) -> Option<ModeValue> {
     root.is_finite().then_some(ModeValue::Root(root))
 }
 
-/// Phugoid with w and q in balance at every moment: Aᵣ = Aₛₛ − Aₛf Aff⁻¹ Afₛ.
+/// Phugoid with w and q in balance at every moment: Aᵣ = A₁₁ − A₁₂ A₂₂⁻¹ A₂₁, 1 = (u, θ), 2 = (w, q).
 fn residualised(a: &Matrix4<f64>) -> Option<SecondOrder> {
-    // Aff = [Zw, V; Mw, Mq]
+    // A₂₂ = [Zw, V; Mw, Mq]
     let [z_w, v, m_w, m_q] = [entry(a, W, W), entry(a, W, Q), entry(a, Q, W), entry(a, Q, Q)];
     let det = z_w * m_q - v * m_w;
-    // w and q for a unit of the slow state: −Aff⁻¹ Afₛ
+    // w and q for a unit of the slow state: −A₂₂⁻¹ A₂₁
     let follow = |slow: Longitudinal| {
         let (z, m) = (entry(a, W, slow), entry(a, Q, slow));
         [-(m_q * z - v * m) / det, -(z_w * m - m_w * z) / det]

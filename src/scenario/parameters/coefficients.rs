@@ -88,8 +88,8 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerRadian,
-        meaning: "Growth of lift for a radian of angle of attack.",
-        sign: "Positive damps the short period; a wing at its stall has none left.",
+        meaning: "Growth of lift per radian of angle of attack.",
+        sign: "Positive damps the short period; near the stall it falls to zero.",
         origin: "Wing, and the tail with it; a long narrow wing has more.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cl_alpha),
         extent: Extent::Relative { low: 0.0, high: 2.0, floor: 1.0 },
@@ -102,7 +102,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerRadian,
-        meaning: "Growth of drag for a radian of angle of attack: lift costs drag.",
+        meaning: "Growth of drag per radian of angle of attack: lift costs drag.",
         sign: "Positive. It takes from the forward force X_w and changes the phugoid's damping.",
         origin: "Drag of the wing's lift.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cd_alpha),
@@ -116,7 +116,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerRadian,
-        meaning: "Nose-up moment for a radian of angle of attack. Negative: a nose-up departure is met by a \
+        meaning: "Nose-up moment per radian of angle of attack. Negative: a nose-up disturbance is met by a \
             nose-down moment.",
         sign: "Negative is statically stable and stiffens the short period; positive puts the centre of \
             gravity behind the neutral point.",
@@ -132,7 +132,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttackRate,
         dimension: Dimension::PerRadian,
-        meaning: "Lift while the angle of attack grows, for a unit of α̇c/2V, c the mean chord: the wing's downwash reaches \
+        meaning: "Lift while the angle of attack grows, per unit of α̇c/2V, c the mean chord: the wing's downwash reaches \
             the tail late.",
         sign: "Positive by the downwash lag, negative in some sources; it moves the modes only a little.",
         origin: "Tail, behind the wing's downwash.",
@@ -147,7 +147,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttackRate,
         dimension: Dimension::PerRadian,
-        meaning: "Nose-up moment while the angle of attack grows, for a unit of α̇c/2V, c the mean chord: the downwash \
+        meaning: "Nose-up moment while the angle of attack grows, per unit of α̇c/2V, c the mean chord: the downwash \
             reaches the tail late, so the tail lifts more.",
         sign: "Negative damps the short period.",
         origin: "Tail, behind the wing's downwash.",
@@ -162,7 +162,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::PitchRate,
         dimension: Dimension::PerRadian,
-        meaning: "Lift for a unit of qc/2V, c the mean chord: when the nose rises the tail sinks and meets the air at a \
+        meaning: "Lift per unit of qc/2V, c the mean chord: when the nose rises the tail sinks and meets the air at a \
             higher angle.",
         sign: "Positive with a tail aft; it moves the modes only a little.",
         origin: "Tail, by its distance.",
@@ -177,7 +177,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::PitchRate,
         dimension: Dimension::PerRadian,
-        meaning: "Nose-up moment for a unit of qc/2V, c the mean chord: a turning tail meets its own wind.",
+        meaning: "Nose-up moment per unit of qc/2V, c the mean chord: a turning tail meets its own wind.",
         sign: "Negative damps the short period.",
         origin: "Tail, by its distance squared.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cm_q),
@@ -191,7 +191,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Elevator,
         dimension: Dimension::PerRadian,
-        meaning: "Lift for a radian of elevator, trailing edge down.",
+        meaning: "Lift per radian of elevator, trailing edge down.",
         sign: "Positive: trailing edge down lifts the tail. It moves no pole.",
         origin: "Elevator area.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cl_de),
@@ -205,7 +205,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Elevator,
         dimension: Dimension::PerRadian,
-        meaning: "Drag for a radian of elevator, trailing edge down.",
+        meaning: "Drag per radian of elevator, trailing edge down.",
         sign: "Positive slows the aircraft down. It moves no pole.",
         origin: "Elevator area and its load.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cd_de),
@@ -219,7 +219,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Elevator,
         dimension: Dimension::PerRadian,
-        meaning: "Nose-up moment for a radian of elevator, trailing edge down.",
+        meaning: "Nose-up moment per radian of elevator, trailing edge down.",
         sign: "Negative: trailing edge down lowers the nose. It moves no pole.",
         origin: "Elevator area times its distance.",
         place: Place::LongitudinalCoefficient(|c| &mut c.cm_de),
@@ -233,7 +233,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Sideslip,
         dimension: Dimension::PerRadian,
-        meaning: "Force to the right for a radian of sideslip, wind from the right.",
+        meaning: "Force to the right per radian of sideslip, wind from the right.",
         sign: "Negative: the wind pushes the aircraft to the left and so damps the Dutch roll a little.",
         origin: "Fuselage and fin.",
         place: Place::LateralCoefficient(|c| &mut c.cy_beta),
@@ -247,7 +247,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Sideslip,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that rolls to the right for a radian of sideslip, wind from the right.",
+        meaning: "Moment that rolls to the right per radian of sideslip, wind from the right.",
         sign: "Negative rolls away from the wind and steadies the spiral; too much of it takes damping from \
             the Dutch roll.",
         origin: "Dihedral and sweep of the wing, its height on the fuselage, and a fin above the axis.",
@@ -262,7 +262,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Sideslip,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that turns the nose to the right for a radian of sideslip, wind from the right.",
+        meaning: "Moment that turns the nose to the right per radian of sideslip, wind from the right.",
         sign: "Positive turns the nose into the wind and stiffens the Dutch roll; too much of it lets the \
             spiral diverge.",
         origin: "Fin, against the fuselage, which has the opposite sign.",
@@ -277,7 +277,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::RollRate,
         dimension: Dimension::PerRadian,
-        meaning: "Force to the right for a unit of pb/2V, right wing going down.",
+        meaning: "Force to the right per unit of pb/2V, right wing going down.",
         sign: "Either sign; it hardly matters.",
         origin: "Fin above the axis, and the wing.",
         place: Place::LateralCoefficient(|c| &mut c.cy_p),
@@ -291,7 +291,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::RollRate,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that rolls to the right for a unit of pb/2V: the wing going down meets the air at a \
+        meaning: "Moment that rolls to the right per unit of pb/2V: the wing going down meets the air at a \
             higher angle and lifts more.",
         sign: "Negative damps the roll mode; positive is a wing beyond its stall.",
         origin: "Wing, most of all its tips.",
@@ -306,7 +306,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::RollRate,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that turns the nose to the right for a unit of pb/2V, right wing going down.",
+        meaning: "Moment that turns the nose to the right per unit of pb/2V, right wing going down.",
         sign: "Negative is adverse, the nose swings away from the roll, and takes damping from the Dutch \
             roll.",
         origin: "Wing: its lift tilts forward on the wing going down, the more so the slower the flight; a \
@@ -322,7 +322,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::YawRate,
         dimension: Dimension::PerRadian,
-        meaning: "Force to the right for a unit of rb/2V: when the nose turns right the fin swings left and \
+        meaning: "Force to the right per unit of rb/2V: when the nose turns right the fin swings left and \
             the air pushes it back.",
         sign: "Positive with a fin aft; it hardly matters.",
         origin: "Fin, by its distance.",
@@ -337,7 +337,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::YawRate,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that rolls to the right for a unit of rb/2V, nose turning right: the outer wing is \
+        meaning: "Moment that rolls to the right per unit of rb/2V, nose turning right: the outer wing is \
             faster and lifts more.",
         sign: "Positive, and it works against the stability of the spiral: a turn banks the aircraft \
             further.",
@@ -353,7 +353,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::YawRate,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that turns the nose to the right for a unit of rb/2V: a turning fin meets its own \
+        meaning: "Moment that turns the nose to the right per unit of rb/2V: a turning fin meets its own \
             wind.",
         sign: "Negative damps the Dutch roll and steadies the spiral.",
         origin: "Fin, by its distance squared.",
@@ -368,7 +368,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Aileron,
         dimension: Dimension::PerRadian,
-        meaning: "Force to the right for a radian of aileron.",
+        meaning: "Force to the right per radian of aileron.",
         sign: "Either sign, and often zero. It moves no pole.",
         origin: "Ailerons, by the air they turn onto the fin.",
         place: Place::LateralCoefficient(|c| &mut c.cy_da),
@@ -382,7 +382,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Aileron,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that rolls to the right for a radian of aileron.",
+        meaning: "Moment that rolls to the right per radian of aileron.",
         sign: "Positive: the aileron is counted so that the right one up rolls right wing down. It moves no pole.",
         origin: "Aileron area times its distance from the axis.",
         place: Place::LateralCoefficient(|c| &mut c.cl_da),
@@ -396,7 +396,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Aileron,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that turns the nose to the right for a radian of aileron.",
+        meaning: "Moment that turns the nose to the right per radian of aileron.",
         sign: "Opposite to the aileron power is adverse yaw, the nose swings away from the roll; the same \
             sign is proverse. It moves no pole.",
         origin: "Drag of the aileron that goes down.",
@@ -411,7 +411,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Rudder,
         dimension: Dimension::PerRadian,
-        meaning: "Force to the right for a radian of rudder, trailing edge left.",
+        meaning: "Force to the right per radian of rudder, trailing edge left.",
         sign: "Positive: trailing edge left pushes the tail to the right. It moves no pole.",
         origin: "Rudder area.",
         place: Place::LateralCoefficient(|c| &mut c.cy_dr),
@@ -425,7 +425,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Rudder,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that rolls to the right for a radian of rudder, trailing edge left.",
+        meaning: "Moment that rolls to the right per radian of rudder, trailing edge left.",
         sign: "Positive where the rudder stands above the axis. It moves no pole.",
         origin: "Rudder area times its height.",
         place: Place::LateralCoefficient(|c| &mut c.cl_dr),
@@ -439,7 +439,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         plane: Some(Plane::Lateral),
         group: Group::Rudder,
         dimension: Dimension::PerRadian,
-        meaning: "Moment that turns the nose to the right for a radian of rudder, trailing edge left.",
+        meaning: "Moment that turns the nose to the right per radian of rudder, trailing edge left.",
         sign: "Negative: trailing edge left turns the nose left. It moves no pole.",
         origin: "Rudder area times its distance.",
         place: Place::LateralCoefficient(|c| &mut c.cn_dr),

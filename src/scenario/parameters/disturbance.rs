@@ -51,7 +51,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "δ_t",
         "throttle",
         (Dimension::ShareOfWeight, -0.2, 0.2),
-        ("Change of thrust, in per cent of the weight.", "Positive pushes forward."),
+        ("Change of thrust over the weight.", "Positive pushes forward."),
         |s| &mut s.throttle,
     ),
     row(
@@ -59,7 +59,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "δ_a",
         "aileron",
         (Dimension::Angle, -0.35, 0.35),
-        ("Aileron; at the crest of a sine.", "Its sense is that of the aircraft's source."),
+        ("Aileron; at the crest of a sine.", "Positive rolls right wing down."),
         |s| &mut s.aileron,
     ),
     row(
@@ -181,10 +181,7 @@ pub(super) const ROWS: [Parameter; 26] = [
         "α",
         "angle of attack at release",
         (Dimension::Angle, -0.2, 0.2),
-        (
-            "Angle of attack beyond the steady one when the aircraft is let go.",
-            "Positive is nose-up to the air.",
-        ),
+        ("Angle of attack beyond the steady one when the aircraft is let go.", "Positive: wind from below."),
         |s| &mut s.released.longitudinal[W.index()],
     ),
     row(

@@ -64,7 +64,7 @@ pub(super) const ROWS: [Parameter; 11] = [
         meaning: "Mass over that of the reference. It divides every force derivative, X, Y and Z, and raises \
             the trim lift, with drag, C_Dα, C_lr and C_np after it.",
         sign: "Above 100 % is heavier: flown at a higher C_L, with less heave damping.",
-        origin: "C_L = W cos γ₀/(½ρV²S). The inertias have their own knobs.",
+        origin: "C_L = W cos γ₀/(½ρV²S). The moments of inertia have their own sliders.",
         place: Place::Knob(|k| &mut k.mass_ratio),
         extent: Extent::Fixed { low: 0.5, high: 2.0 },
     },

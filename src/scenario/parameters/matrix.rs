@@ -26,7 +26,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Speed,
         dimension: Dimension::PerSecond,
-        meaning: "Forward force for a unit of extra speed: drag grows with speed and slows the aircraft \
+        meaning: "Forward force per unit of extra speed: drag grows with speed and slows the aircraft \
             down.",
         sign: "Negative damps the phugoid.",
         origin: "Drag and thrust.",
@@ -41,7 +41,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Speed,
         dimension: Dimension::PerSecond,
-        meaning: "Downward force for a unit of extra speed: more speed, more lift. The prime: the ẇ terms are folded in.",
+        meaning: "Downward force per unit of extra speed: more speed, more lift. The prime: the ẇ terms are included; in \
+            lateral symbols a prime means the product of inertia.",
         sign: "Negative gives the phugoid its stiffness.",
         origin: "Wing lift.",
         place: longitudinal(W, U, 1.0),
@@ -55,7 +56,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Speed,
         dimension: Dimension::PerLengthSecond,
-        meaning: "Nose-up moment for a unit of extra speed.",
+        meaning: "Nose-up moment per unit of extra speed. The prime: the ẇ terms are included; in lateral symbols a prime \
+            means the product of inertia.",
         sign: "Negative lets the nose drop as speed grows: tuck.",
         origin: "Compressibility, thrust line, and the Mẇ term where the source has one.",
         place: longitudinal(Q, U, 1.0),
@@ -69,7 +71,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerSecond,
-        meaning: "Forward force for a unit of downward speed: lift tilts forward, drag grows.",
+        meaning: "Forward force per unit of downward speed: lift tilts forward, drag grows.",
         sign: "Either sign; it moves the phugoid only a little.",
         origin: "Lift less the growth of drag with angle of attack.",
         place: longitudinal(U, W, 1.0),
@@ -83,7 +85,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerSecond,
-        meaning: "Downward force for a unit of downward speed: a higher angle of attack lifts. The prime: the ẇ terms are folded in.",
+        meaning: "Downward force per unit of downward speed: a higher angle of attack lifts. The prime: the ẇ terms are \
+            included; in lateral symbols a prime means the product of inertia.",
         sign: "Negative damps the short period; positive is a wing beyond its stall.",
         origin: "Lift slope of the wing.",
         place: longitudinal(W, W, 1.0),
@@ -97,8 +100,9 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::AngleOfAttack,
         dimension: Dimension::PerLengthSecond,
-        meaning: "Nose-up moment for a unit of downward speed. Negative: a gust that raises the angle of \
-            attack makes a moment that lowers the nose. The prime: the ẇ terms are folded in.",
+        meaning: "Nose-up moment per unit of downward speed. Negative: a gust that raises the angle of attack makes a moment \
+            that lowers the nose. The prime: the ẇ terms are included; in lateral symbols a prime means the product of \
+            inertia.",
         sign: "Negative is statically stable and stiffens the short period.",
         origin: "Tail, and the centre of gravity ahead of the neutral point.",
         place: longitudinal(Q, W, 1.0),
@@ -113,7 +117,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         group: Group::PitchRate,
         dimension: Dimension::Speed,
         meaning: "How fast turning the nose changes the forward speed: the flight speed across the x axis, \
-            and a little force of the tail. Other entries of A have ẇ terms folded in; this row has none.",
+            and a little force of the tail. This row of A has no ẇ terms, so its symbols have no prime.",
         sign: "Zero in stability axes but for X_q; negative where the body axes are tilted nose-up.",
         origin: "Angle of attack of the body axes.",
         place: longitudinal(U, Q, 1.0),
@@ -142,7 +146,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::PitchRate,
         dimension: Dimension::PerSecond,
-        meaning: "Nose-up moment for a unit of pitch rate: a turning tail meets its own wind.",
+        meaning: "Nose-up moment per unit of pitch rate: a turning tail meets its own wind. The prime: the ẇ terms are \
+            included; in lateral symbols a prime means the product of inertia.",
         sign: "Negative damps the short period.",
         origin: "Tail, by its distance squared; the Mẇ term where the source has one.",
         place: longitudinal(Q, Q, 1.0),
@@ -171,8 +176,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Attitude,
         dimension: Dimension::Acceleration,
-        meaning: "Downward force as the nose rises: in a climb, weight then pulls less across the path. The \
-            ẇ terms are folded in, as in every entry of this row of A.",
+        meaning: "Downward force as the nose rises: in a climb, weight then pulls less across the path. The ẇ terms are \
+            included, as in every entry of this row of A.",
         sign: "Zero in level flight, negative with the nose above the horizon, positive below it.",
         origin: "Weight and the angle of the x axis above the horizon.",
         place: longitudinal(W, Theta, 1.0),
@@ -186,8 +191,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Elevator,
         dimension: Dimension::Acceleration,
-        meaning: "Forward force for a radian of elevator, trailing edge down. This row has no ẇ terms to \
-            fold in.",
+        meaning: "Forward force per radian of elevator, trailing edge down. This row has no ẇ terms.",
         sign: "Negative where the elevator adds drag. It moves no pole.",
         origin: "Elevator area and its load.",
         place: Place::B(Plane::Longitudinal, U.index(), ELEVATOR),
@@ -201,7 +205,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Elevator,
         dimension: Dimension::Acceleration,
-        meaning: "Downward force for a radian of elevator, trailing edge down. The prime: the ẇ terms are folded in.",
+        meaning: "Downward force per radian of elevator, trailing edge down. The prime: the ẇ terms are included; in lateral \
+            symbols a prime means the product of inertia.",
         sign: "Negative: trailing edge down lifts the tail. It moves no pole.",
         origin: "Elevator area.",
         place: Place::B(Plane::Longitudinal, W.index(), ELEVATOR),
@@ -215,7 +220,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Elevator,
         dimension: Dimension::PerSecondSquared,
-        meaning: "Nose-up moment for a radian of elevator, trailing edge down. The prime: the ẇ terms are folded in.",
+        meaning: "Nose-up moment per radian of elevator, trailing edge down. The prime: the ẇ terms are included; in lateral \
+            symbols a prime means the product of inertia.",
         sign: "Negative: trailing edge down lowers the nose. It moves no pole.",
         origin: "Elevator area times its distance.",
         place: Place::B(Plane::Longitudinal, Q.index(), ELEVATOR),
@@ -229,7 +235,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Throttle,
         dimension: Dimension::Acceleration,
-        meaning: "Forward force for a unit of throttle. This row has no ẇ terms to fold in.",
+        meaning: "Forward force per unit of throttle. This row has no ẇ terms.",
         sign: "Positive: throttle pushes forward. It moves no pole.",
         origin: "Engines.",
         place: Place::B(Plane::Longitudinal, U.index(), THROTTLE),
@@ -243,7 +249,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Throttle,
         dimension: Dimension::Acceleration,
-        meaning: "Downward force for a unit of throttle. The prime: the ẇ terms are folded in.",
+        meaning: "Downward force per unit of throttle. The prime: the ẇ terms are included; in lateral symbols a prime means \
+            the product of inertia.",
         sign: "Negative where the thrust points a little upward; often zero. It moves no pole.",
         origin: "Tilt of the thrust line.",
         place: Place::B(Plane::Longitudinal, W.index(), THROTTLE),
@@ -257,7 +264,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Longitudinal),
         group: Group::Throttle,
         dimension: Dimension::PerSecondSquared,
-        meaning: "Nose-up moment for a unit of throttle. The prime: the ẇ terms are folded in.",
+        meaning: "Nose-up moment per unit of throttle. The prime: the ẇ terms are included; in lateral symbols a prime means \
+            the product of inertia.",
         sign: "Positive where the thrust line passes below the centre of gravity: throttle lifts the nose. \
             It moves no pole.",
         origin: "Distance of the thrust line from the centre of gravity; the Mẇ term where the source has \
@@ -273,7 +281,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Sideslip,
         dimension: Dimension::PerSecond,
-        meaning: "Force to the right for a unit of speed to the right: the wind comes from the right.",
+        meaning: "Force to the right per unit of speed to the right: the wind comes from the right.",
         sign: "Negative pushes back and damps the Dutch roll a little.",
         origin: "Fuselage and fin.",
         place: lateral(V, V, 1.0),
@@ -287,8 +295,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Sideslip,
         dimension: Dimension::PerLengthSecond,
-        meaning: "Moment that rolls to the right for a unit of speed to the right. The prime: the product of \
-            inertia is folded in.",
+        meaning: "Moment that rolls to the right per unit of speed to the right. The prime: the product of inertia is \
+            included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Negative rolls away from the wind and steadies the spiral; too much of it takes damping from \
             the Dutch roll.",
         origin: "Dihedral and sweep of the wing, its height on the fuselage, and a fin above the axis; N_v \
@@ -304,8 +312,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Sideslip,
         dimension: Dimension::PerLengthSecond,
-        meaning: "Moment that turns the nose to the right for a unit of speed to the right. The prime: the \
-            product of inertia is folded in.",
+        meaning: "Moment that turns the nose to the right per unit of speed to the right. The prime: the product of inertia \
+            is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Positive turns the nose into the wind and stiffens the Dutch roll; too much of it lets the \
             spiral diverge.",
         origin: "Fin, against the fuselage, which has the opposite sign; L_v by the product of inertia.",
@@ -336,8 +344,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::RollRate,
         dimension: Dimension::PerSecond,
-        meaning: "Moment that rolls to the right for a unit of roll rate: the wing going down lifts more. \
-            The prime: the product of inertia is folded in.",
+        meaning: "Moment that rolls to the right per unit of roll rate: the wing going down lifts more. \
+            The prime: the product of inertia is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Negative damps the roll mode; positive is a wing beyond its stall.",
         origin: "Wing, most of all its tips; N_p by the product of inertia.",
         place: lateral(P, P, 1.0),
@@ -351,8 +359,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::RollRate,
         dimension: Dimension::PerSecond,
-        meaning: "Moment that turns the nose to the right for a unit of roll rate, right wing going down. \
-            The prime: the product of inertia is folded in.",
+        meaning: "Moment that turns the nose to the right per unit of roll rate, right wing going down. \
+            The prime: the product of inertia is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Negative is adverse, the nose swings away from the roll, and takes damping from the Dutch \
             roll.",
         origin: "Wing, the more so the slower the flight; L_p by the product of inertia.",
@@ -382,8 +390,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::YawRate,
         dimension: Dimension::PerSecond,
-        meaning: "Moment that rolls to the right for a unit of yaw rate, nose turning right: the outer wing \
-            is faster and lifts more. The prime: the product of inertia is folded in.",
+        meaning: "Moment that rolls to the right per unit of yaw rate, nose turning right: the outer wing is faster and \
+            lifts more. The prime: the product of inertia is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Positive, and it works against the stability of the spiral: a turn banks the aircraft \
             further.",
         origin: "Wing, in proportion to its lift; a fin above the axis; N_r by the product of inertia.",
@@ -398,8 +406,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::YawRate,
         dimension: Dimension::PerSecond,
-        meaning: "Moment that turns the nose to the right for a unit of yaw rate: a turning fin meets its \
-            own wind. The prime: the product of inertia is folded in.",
+        meaning: "Moment that turns the nose to the right per unit of yaw rate: a turning fin meets its \
+            own wind. The prime: the product of inertia is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Negative damps the Dutch roll and steadies the spiral.",
         origin: "Fin, by its distance squared; L_r by the product of inertia.",
         place: lateral(R, R, 1.0),
@@ -427,7 +435,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Aileron,
         dimension: Dimension::Acceleration,
-        meaning: "Force to the right for a radian of aileron.",
+        meaning: "Force to the right per radian of aileron.",
         sign: "Either sign, and often zero. It moves no pole.",
         origin: "Ailerons, by the air they turn onto the fin.",
         place: Place::B(Plane::Lateral, V.index(), AILERON),
@@ -441,8 +449,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Aileron,
         dimension: Dimension::PerSecondSquared,
-        meaning: "Moment that rolls to the right for a radian of aileron. The prime: the product of inertia \
-            is folded in.",
+        meaning: "Moment that rolls to the right per radian of aileron. The prime: the product of inertia is included; in \
+            longitudinal symbols a prime means the ẇ terms.",
         sign: "Positive: the aileron is counted so that the right one up rolls right wing down. It moves no pole.",
         origin: "Aileron area times its distance from the axis.",
         place: Place::B(Plane::Lateral, P.index(), AILERON),
@@ -456,8 +464,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Aileron,
         dimension: Dimension::PerSecondSquared,
-        meaning: "Moment that turns the nose to the right for a radian of aileron. The prime: the product of \
-            inertia is folded in.",
+        meaning: "Moment that turns the nose to the right per radian of aileron. The prime: the product of inertia is \
+            included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Opposite to the aileron power is adverse yaw, the nose swings away from the roll; the same \
             sign is proverse. It moves no pole.",
         origin: "Drag of the aileron that goes down; L_δa by the product of inertia.",
@@ -472,7 +480,7 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Rudder,
         dimension: Dimension::Acceleration,
-        meaning: "Force to the right for a radian of rudder, trailing edge left.",
+        meaning: "Force to the right per radian of rudder, trailing edge left.",
         sign: "Positive: trailing edge left pushes the tail to the right. It moves no pole.",
         origin: "Rudder area.",
         place: Place::B(Plane::Lateral, V.index(), RUDDER),
@@ -486,8 +494,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Rudder,
         dimension: Dimension::PerSecondSquared,
-        meaning: "Moment that rolls to the right for a radian of rudder, trailing edge left. The prime: the \
-            product of inertia is folded in.",
+        meaning: "Moment that rolls to the right per radian of rudder, trailing edge left. The prime: the product of inertia \
+            is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Positive where the rudder stands above the axis; the product of inertia can turn it. It moves \
             no pole.",
         origin: "Rudder area times its height; N_δr by the product of inertia.",
@@ -502,8 +510,8 @@ pub(super) const ROWS: [Parameter; 33] = [
         plane: Some(Plane::Lateral),
         group: Group::Rudder,
         dimension: Dimension::PerSecondSquared,
-        meaning: "Moment that turns the nose to the right for a radian of rudder, trailing edge left. The \
-            prime: the product of inertia is folded in.",
+        meaning: "Moment that turns the nose to the right per radian of rudder, trailing edge left. The prime: the product \
+            of inertia is included; in longitudinal symbols a prime means the ẇ terms.",
         sign: "Negative: trailing edge left turns the nose left. It moves no pole.",
         origin: "Rudder area times its distance.",
         place: Place::B(Plane::Lateral, R.index(), RUDDER),
