@@ -10,10 +10,12 @@
 //! | `time_shown` | the time in which the slowest visible mode is seen |
 //! | `trajectory` | the aircraft at one moment of its motion |
 //! | `metrics` | the numbers a course asks of a motion |
+//! | [`measures`] | the one table of what can be read, by key |
 //! | `frequency` | gain, phase and peaks over frequency |
 
 mod frequency;
 mod locus;
+pub mod measures;
 mod metrics;
 mod placement;
 mod sensitivities;

@@ -9,6 +9,7 @@
 //! | [`approximation`] | textbook approximations |
 //! | `errors` | why something can't be had: `Display` of the errors |
 //! | [`metrics`] | metrics of a motion as a whole |
+//! | [`measure`] | what can be read of a scenario, and why it can't |
 //! | [`mode`] | names of modes |
 //! | [`naming`] | the reason for a name |
 //! | `notice` | what was left out of a link |
@@ -20,6 +21,7 @@
 
 pub mod approximation;
 mod errors;
+pub mod measure;
 pub mod metrics;
 pub mod mode;
 pub mod naming;

@@ -1,0 +1,129 @@
+//! Measures: their names, what they read in words, and why there is nothing to read.
+
+use crate::content::LengthUnit;
+use crate::findings::measures::{
+    Absence, AircraftQuantity, Measure, Metric, ModeQuantity, PlaneQuantity, Reading,
+};
+use crate::flight::aircraft::plane::Plane;
+use crate::flight::modes::stability::Stability;
+use crate::number::significant;
+use crate::scenario::{Dimension, Quantity};
+use crate::words::{mode, verdict};
+
+/// A measure as the head of a column or the subject of a sentence.
+pub fn name(measure: Measure) -> String {
+    match measure {
+        Measure::OfMode(name, quantity) => {
+            format!("{} of the {}", of_mode(quantity), mode::in_a_sentence(name))
+        }
+        Measure::OfPlane(plane, quantity) => format!("{} of {}", of_plane(quantity), motion(plane)),
+        Measure::OfAircraft(quantity) => of_aircraft(quantity).to_owned(),
+        Measure::OfOutput(output, metric) => {
+            format!("{} of {}", of_output(metric), Quantity::of(output).name)
+        }
+        Measure::OfParameter(parameter) => parameter.name.to_owned(),
+    }
+}
+
+const fn of_mode(quantity: ModeQuantity) -> &'static str {
+    match quantity {
+        ModeQuantity::RealPart => "real part",
+        ModeQuantity::ImaginaryPart => "imaginary part",
+        ModeQuantity::NaturalFrequency => "natural frequency",
+        ModeQuantity::DampingRatio => "damping ratio",
+        ModeQuantity::Period => "period",
+        ModeQuantity::TimeToHalf => "time to half",
+        ModeQuantity::TimeToDouble => "time to double",
+        ModeQuantity::Cycles => "cycles to half or double",
+        ModeQuantity::TimeConstant => "time constant",
+        ModeQuantity::Stability => "stability",
+        ModeQuantity::Level => "level",
+    }
+}
+
+const fn of_plane(quantity: PlaneQuantity) -> &'static str {
+    match quantity {
+        PlaneQuantity::Stability => "dynamic stability",
+        PlaneQuantity::StaticStability => "static stability",
+        PlaneQuantity::Determinant => "det A",
+        PlaneQuantity::Oscillations => "number of oscillations",
+    }
+}
+
+const fn motion(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Longitudinal => "longitudinal motion",
+        Plane::Lateral => "lateral–directional motion",
+    }
+}
+
+const fn of_aircraft(quantity: AircraftQuantity) -> &'static str {
+    match quantity {
+        AircraftQuantity::Stability => "dynamic stability",
+        AircraftQuantity::StaticStability => "static stability",
+        AircraftQuantity::StaticMargin => "static margin",
+        AircraftQuantity::ManoeuvreMargin => "manoeuvre margin",
+        AircraftQuantity::Level => "overall level",
+        AircraftQuantity::GravityRatio => "gravity as a multiple of Earth’s",
+    }
+}
+
+const fn of_output(metric: Metric) -> &'static str {
+    match metric {
+        Metric::Peak => "peak",
+        Metric::PeakTime => "time of the peak",
+        Metric::Steady => "steady value",
+        Metric::RiseTime => "rise time",
+        Metric::SettlingTime => "settling time",
+        Metric::Overshoot => "overshoot",
+    }
+}
+
+/// A reading with its unit, in the aircraft's unit of length.
+pub fn reading(measure: Measure, reading: Reading, length: LengthUnit) -> String {
+    match reading {
+        Reading::Number(value) => number(measure.dimension(), value, length),
+        Reading::Stability(stability) => word(stability).to_owned(),
+        Reading::Level(level) => verdict::level(level).to_owned(),
+    }
+}
+
+/// A number in SI as it is shown: three digits in the unit of its dimension.
+pub fn number(dimension: Dimension, value: f64, length: LengthUnit) -> String {
+    let shown = significant(value / dimension.in_si(length), 3);
+    let unit = dimension.symbol(length);
+    if unit.is_empty() { shown } else { format!("{shown}\u{a0}{unit}") }
+}
+
+/// A verdict on stability in one word.
+pub const fn word(stability: Stability) -> &'static str {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Neutral => "neutral",
+        Stability::Unstable => "unstable",
+    }
+}
+
+/// Why there is nothing to read, as a sentence without its full stop.
+pub fn absence(absence: &Absence) -> String {
+    match absence {
+        Absence::Problem(problem) => problem.to_string(),
+        Absence::NoPlane(Plane::Longitudinal) => "the source has no data of longitudinal motion".to_owned(),
+        Absence::NoPlane(Plane::Lateral) => "the source has no data of lateral–directional motion".to_owned(),
+        Absence::NoMode(name) => format!("no mode is called {}", mode::in_a_sentence(*name)),
+        Absence::DoesNotOscillate(name) => format!("the {} doesn’t oscillate", mode::in_a_sentence(*name)),
+        Absence::Oscillates(name) => format!("the {} oscillates", mode::in_a_sentence(*name)),
+        Absence::DoesNotGrow(name) => format!("the {} doesn’t grow", mode::in_a_sentence(*name)),
+        Absence::DoesNotDieAway(name) => format!("the {} doesn’t die away", mode::in_a_sentence(*name)),
+        Absence::NotJudged => "nothing judges it".to_owned(),
+        Absence::NoCoefficients => "the source has no coefficients".to_owned(),
+        Absence::NoParameter(parameter) => format!("the source has no {}", parameter.name),
+        Absence::OtherPlane(output) => {
+            format!("{} belongs to the other plane of motion", Quantity::of(*output).name)
+        }
+        Absence::NoMetric(Metric::Peak | Metric::PeakTime) => {
+            "there is no peak while the disturbance is small".to_owned()
+        }
+        Absence::NoMetric(_) => "only a step that settles while it is small has one".to_owned(),
+    }
+}
