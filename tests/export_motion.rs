@@ -332,3 +332,26 @@ fn a_steady_value_beyond_the_linear_model_is_not_told() {
     assert!(!near.steady_is_beyond && near.outputs[0].steady.is_some());
     assert!(far.steady_is_beyond && far.outputs.iter().all(|of| of.steady.is_none()), "{far:?}");
 }
+
+/// Air that stays carries the aircraft along: rising air against z, air from ahead against x, air to the right along y.
+#[test]
+fn moving_air_counts_in_the_sense_of_its_parameter() {
+    for (air, key, input, output, along) in [
+        ("vertical-gust", "gust", "w_gust", "w", -1.0),
+        ("head-gust", "head_gust", "u_gust", "u", -1.0),
+        ("side-gust", "side_gust", "v_gust", "v", 1.0),
+    ] {
+        let told = motion("navion", &[(key, 2.0)], &disturbed_by(air, "step"));
+        assert_eq!(values(&told.inputs, input).last(), Some(&2.0), "{air}");
+        let request = FrequencyRequest {
+            disturbance: Some(air.to_owned()),
+            from: Some(1e-4),
+            to: Some(2e-4),
+            points: Some(2),
+            ..of_output(output)
+        };
+        let bode = frequency(&Subject::listed("navion"), &request).expect("a frequency response");
+        assert!((bode.phase[0].cos() - along).abs() < 0.02, "{air}: {}", bode.phase[0]);
+        assert!(bode.phase[0].abs() <= std::f64::consts::PI, "{air}: {}", bode.phase[0]);
+    }
+}

@@ -55,7 +55,7 @@ pub struct FrequencyReport {
     /// Key of the disturbance.
     #[cfg_attr(test, ts(type = "ControlOrGust"))]
     pub disturbance: &'static str,
-    /// The input: air is positive forward, downward and to the right, whatever the sense of the disturbance's size.
+    /// The input, in the sense of the disturbance's size: air is positive where it rises, comes from ahead or moves to the right.
     pub input: Measured,
     /// The output.
     pub output: Measured,

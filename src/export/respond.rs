@@ -71,7 +71,8 @@ pub struct ResponseReport {
     pub mode_key: Option<&'static str>,
     /// Times of the samples \[s\].
     pub time: Vec<f64>,
-    /// Inputs at these times; none where the aircraft is let go.
+    /// Inputs at these times, in the sense of their parameters: air is positive where it rises, comes from ahead or moves to the
+    /// right. None where the aircraft is let go.
     pub inputs: Vec<Signal>,
     /// Outputs at these times, as changes from the steady flight: those of the plane, by their keys.
     pub outputs: Vec<Signal>,
@@ -114,7 +115,10 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
     let time: Vec<f64> = (0..motion.response.states.len()).map(|k| experiment.grid.time(k)).collect();
     let inputs = experiment.inputs.iter().map(|(channel, input)| {
         let Quantity { key: name, dimension, .. } = Quantity::of_input(plane, *channel);
-        Signal { name, unit: dimension.si_symbol(), values: time.iter().map(|&t| input.at(t)).collect() }
+        let sign = Quantity::input_sign(plane, *channel);
+        // Zero stays plain zero.
+        let values = time.iter().map(|&t| sign * input.at(t) + 0.0).collect();
+        Signal { name, unit: dimension.si_symbol(), values }
     });
     let outputs = Output::of(plane).iter().map(|&output| Signal::of(output, motion.values(output)));
     let split = request.split.then(|| SplitOutcome::of(&motion, findings.modes()));

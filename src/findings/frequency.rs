@@ -1,5 +1,7 @@
 //! The frequency response of an output to what disturbs: gain and phase, and the peaks that oscillations make.
 
+use std::f64::consts::PI;
+
 use crate::flight::Start;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::stability::Stability;
@@ -7,7 +9,7 @@ use crate::flight::motion::experiment::forced;
 use crate::flight::motion::frequency_response::{FrequencyPoint, Peak, frequency_response, peaks};
 use crate::flight::motion::inputs::Input;
 use crate::flight::motion::outputs::Output;
-use crate::scenario::Scenario;
+use crate::scenario::{Quantity, Scenario};
 
 /// Points over all frequencies where nothing else is asked for: finer than a screen can tell between peaks.
 pub(super) const POINTS: usize = 400;
@@ -27,7 +29,7 @@ pub struct FrequencyResponse {
 }
 
 impl FrequencyResponse {
-    /// The response of an output to a unit of what disturbs, at `count` frequencies between two \[rad/s\].
+    /// The response of an output to a unit of what disturbs, in the sense in which its size counts, at `count` frequencies between two \[rad/s\].
     pub(super) fn of(
         scenario: &Scenario,
         PlaneAnalysis { model, modes, .. }: &PlaneAnalysis,
@@ -43,6 +45,9 @@ impl FrequencyResponse {
         let decades = (range.1 / range.0).log10();
         let parts = ((FOLLOWED_PER_DECADE * decades / steps as f64).ceil() as usize).max(1);
         let mut points = frequency_response(&forced, &row, 0, range, steps * parts + 1);
+        if Quantity::input_sign(model.plane, scenario.driven_channel()) < 0.0 {
+            turn(&mut points);
+        }
         let is_growing = modes.iter().any(|mode| mode.stability == Stability::Unstable);
         let peaks = if is_growing { Vec::new() } else { peaks(&forced, &row, 0, &points, modes) };
         if parts > 1 {
@@ -52,5 +57,14 @@ impl FrequencyResponse {
             points.retain(|point| asked.binary_search_by(|other| other.total_cmp(&point.frequency)).is_ok());
         }
         Self { points, peaks }
+    }
+}
+
+/// Turns the sense of the input: the phase goes by half a turn, and stays between −π and π at the first point.
+fn turn(points: &mut [FrequencyPoint]) {
+    let ahead = points.first().is_some_and(|first| first.phase <= 0.0);
+    for point in points {
+        point.value = -point.value;
+        point.phase += if ahead { PI } else { -PI };
     }
 }

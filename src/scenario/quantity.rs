@@ -20,7 +20,7 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// How an input of a plane is written. The names of moving air are a pilot's; its numbers are along the axes, as in [`Channel`].
+    /// How an input of a plane is written, in the sense of [`Self::input_sign`].
     pub const fn of_input(plane: Plane, channel: Channel) -> Self {
         let (key, symbol, name, dimension) = match (plane, channel) {
             (Plane::Longitudinal, Channel::First) => ("elevator", "δ_e", "elevator", Dimension::Angle),
@@ -36,6 +36,15 @@ impl Quantity {
             }
         };
         Self { key, symbol, name, dimension }
+    }
+
+    /// Sign of an input as it is shown beside its number along the axes, that of [`Channel`]: air that rises or comes from ahead
+    /// counts positive, as its size does, though it moves against z and x.
+    pub const fn input_sign(plane: Plane, channel: Channel) -> f64 {
+        match (plane, channel) {
+            (_, Channel::AirAlong) | (Plane::Longitudinal, Channel::AirAcross) => -1.0,
+            (_, Channel::First | Channel::Second) | (Plane::Lateral, Channel::AirAcross) => 1.0,
+        }
     }
 
     /// How this output is written.

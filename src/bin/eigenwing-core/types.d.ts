@@ -147,7 +147,7 @@ export type FrequencyResponse = {
   plane: PlaneName,
   /** Key of the disturbance. */
   disturbance: ControlOrGust,
-  /** The input: air is positive forward, downward and to the right, whatever the sense of the disturbance's size. */
+  /** The input, in the sense of the disturbance's size: air is positive where it rises, comes from ahead or moves to the right. */
   input: Measured,
   /** The output. */
   output: Measured,
@@ -299,7 +299,8 @@ export type Motion = {
   mode_key: ModeKey | null,
   /** Times of the samples [s]. */
   time: Array<number>,
-  /** Inputs at these times; none where the aircraft is let go. */
+  /** Inputs at these times, in the sense of their parameters: air is positive where it rises, comes from ahead or moves to the
+   * right. None where the aircraft is let go. */
   inputs: Array<Signal>,
   /** Outputs at these times, as changes from the steady flight: those of the plane, by their keys. */
   outputs: Array<Signal>,

@@ -4,8 +4,6 @@ use egui::Color32;
 
 use crate::content::LengthUnit;
 use crate::findings::Findings;
-use crate::flight::Channel;
-use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::Motion;
 use crate::flight::motion::modal_decomposition::{ModalDecomposition, SplitError};
 use crate::flight::motion::outputs::Output;
@@ -104,7 +102,7 @@ pub fn inputs(findings: &Findings, palette: &Palette) -> Option<(Vec<&'static st
     let mut curves = Vec::new();
     for (i, (channel, input)) in experiment.inputs.iter().enumerate() {
         let Quantity { symbol, name, dimension, .. } = Quantity::of_input(experiment.plane, *channel);
-        let unit = shown_sign(experiment.plane, *channel) * dimension.in_si(LengthUnit::Metre);
+        let unit = Quantity::input_sign(experiment.plane, *channel) * dimension.in_si(LengthUnit::Metre);
         let mut times: Vec<f64> = (0..=experiment.grid.steps).map(|k| experiment.grid.time(k)).collect();
         for edge in input.edges().filter(|&edge| edge > 0.0 && edge < end) {
             // On either side of it, so that it stands upright.
@@ -120,14 +118,6 @@ pub fn inputs(findings: &Findings, palette: &Palette) -> Option<(Vec<&'static st
         shown.get_or_insert(dimension);
     }
     shown.map(|dimension| (symbols, dimension, curves))
-}
-
-/// Sign in which an input is shown: moving air as a pilot speaks of it, against x and z.
-const fn shown_sign(plane: Plane, channel: Channel) -> f64 {
-    match (plane, channel) {
-        (_, Channel::AirAlong) | (Plane::Longitudinal, Channel::AirAcross) => -1.0,
-        _ => 1.0,
-    }
 }
 
 /// An output as it is written, its unit's symbol, and one of that unit in SI.
