@@ -106,6 +106,9 @@ pub struct SweepMode {
     pub key: &'static str,
     /// Name of the mode.
     pub name: &'static str,
+    /// `stable`, `neutral` or `unstable`: whether this mode dies away.
+    #[cfg_attr(test, ts(type = "Stability"))]
+    pub stability: &'static str,
     /// Real part.
     pub re: f64,
     /// Imaginary part, not negative.
@@ -347,6 +350,7 @@ fn sweep_mode(mode: &Mode) -> SweepMode {
     SweepMode {
         key: mode.naming.name.key(),
         name: words::mode::title(mode.naming.name),
+        stability: mode.stability.key(),
         re: mode.lambda.re,
         im: mode.lambda.im,
         natural_frequency: mode.natural_frequency(),

@@ -140,20 +140,22 @@ pub fn frequency(report: &FrequencyReport) -> String {
     csv(["frequency [rad/s]", gain.as_str(), "phase [rad]"], values.map(row))
 }
 
-/// A row for each point and mode: modes come and go along a sweep, so they are no columns.
+/// A row for each point and mode: modes come and go along a sweep, so they are no columns. What stands between the plane and the
+/// mode is of the plane.
 pub fn sweep(report: &SweepReport) -> String {
     let value = heading(report.parameter, report.unit);
     let head = [
         value.as_str(),
         "plane",
+        "static_stability",
+        "dynamic_stability",
+        "determinant [1/s^4]",
         "mode",
+        "stability",
         "re [1/s]",
         "im [rad/s]",
         "natural_frequency [rad/s]",
         "damping_ratio",
-        "static_stability",
-        "dynamic_stability",
-        "determinant [1/s^4]",
         "error",
     ];
     let rows = report.points.iter().flat_map(|point| {
@@ -161,8 +163,8 @@ pub fn sweep(report: &SweepReport) -> String {
         let error = point.error.iter().map({
             let at = at.clone();
             move |error| {
-                let mut row: [String; 11] = Default::default();
-                (row[0], row[10]) = (at.clone(), error.clone());
+                let mut row: [String; 12] = Default::default();
+                (row[0], row[11]) = (at.clone(), error.clone());
                 row
             }
         });
@@ -176,19 +178,20 @@ pub fn sweep(report: &SweepReport) -> String {
     csv(head, rows)
 }
 
-fn rows_of(at: &str, name: &str, plane: &SweepPlane) -> Vec<[String; 11]> {
+fn rows_of(at: &str, name: &str, plane: &SweepPlane) -> Vec<[String; 12]> {
     let row = |mode: &eigenwing::export::SweepMode| {
         [
             at.to_owned(),
             name.to_owned(),
+            plane.static_stability.to_owned(),
+            plane.dynamic_stability.to_owned(),
+            plane.determinant.to_string(),
             mode.key.to_owned(),
+            mode.stability.to_owned(),
             mode.re.to_string(),
             mode.im.to_string(),
             optional(mode.natural_frequency),
             optional(mode.damping_ratio),
-            plane.static_stability.to_owned(),
-            plane.dynamic_stability.to_owned(),
-            plane.determinant.to_string(),
             String::new(),
         ]
     };

@@ -175,13 +175,16 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
 
 pub fn sweep(report: &SweepReport) -> String {
     let value = heading(report.parameter, report.unit);
-    let head = [value.as_str(), "mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "static", "dynamic"];
-    let rows = report.points.iter().flat_map(|point| {
-        let at = number(point.value);
-        let planes = [&point.longitudinal, &point.lateral].into_iter().flatten();
-        planes.flat_map(move |plane| sweep_rows(&at, plane))
+    let head = [value.as_str(), "mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "stability"];
+    let modes = swept_planes(report).flat_map(|(at, _, plane)| sweep_rows(&at, plane));
+    let mut text = format!("{}\n{}", report.aircraft.name, table(2, &head, modes));
+    let head = [value.as_str(), "motion", "det A [1/s⁴]", "static stability", "dynamic stability"];
+    let planes = swept_planes(report).map(|(at, motion, plane)| {
+        let SweepPlane { static_stability, dynamic_stability, determinant, .. } = plane;
+        let words = [*static_stability, *dynamic_stability].map(str::to_owned);
+        [at, motion.to_owned(), number(*determinant)].into_iter().chain(words).collect()
     });
-    let mut text = format!("{}\n{}", report.aircraft.name, table(2, &head, rows));
+    text += &format!("\n{}", table(2, &head, planes));
     let unit = report.unit;
     for point in &report.points {
         if let Some(error) = &point.error {
@@ -196,6 +199,15 @@ pub fn sweep(report: &SweepReport) -> String {
     })
 }
 
+/// Every plane at every point, with the value there and the name of the plane.
+fn swept_planes(report: &SweepReport) -> impl Iterator<Item = (String, &'static str, &SweepPlane)> {
+    report.points.iter().flat_map(|point| {
+        let planes = [("longitudinal", &point.longitudinal), ("lateral", &point.lateral)];
+        let at = number(point.value);
+        planes.into_iter().filter_map(move |(name, plane)| Some((at.clone(), name, plane.as_ref()?)))
+    })
+}
+
 fn sweep_rows(at: &str, plane: &SweepPlane) -> Vec<Vec<String>> {
     let row = |mode: &eigenwing::export::SweepMode| {
         vec![
@@ -204,8 +216,7 @@ fn sweep_rows(at: &str, plane: &SweepPlane) -> Vec<Vec<String>> {
             eigenvalue(mode.re, mode.im),
             optional(mode.natural_frequency),
             optional(mode.damping_ratio),
-            plane.static_stability.to_owned(),
-            plane.dynamic_stability.to_owned(),
+            mode.stability.to_owned(),
         ]
     };
     plane.modes.iter().map(row).collect()

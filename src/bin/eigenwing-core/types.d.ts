@@ -577,6 +577,8 @@ export type SweepMode = {
   key: ModeKey,
   /** Name of the mode. */
   name: string,
+  /** `stable`, `neutral` or `unstable`: whether this mode dies away. */
+  stability: Stability,
   /** Real part. */
   re: number,
   /** Imaginary part, not negative. */
