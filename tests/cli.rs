@@ -244,12 +244,34 @@ fn file(name: &str, content: &[u8]) -> String {
 fn bad_input_is_one_line_and_exit_code_1() {
     let matlab = include_str!("data/matrices/navion.m");
     let navion = FILES[0].1;
-    let cases: [(&[&str], &str); 29] = [
+    let cases: [(&[&str], &str); 34] = [
         (&["analyse", "navoin"], "there is no aircraft \"navoin\" in the list; did you mean \"navion\"?"),
         (&["analyse", "zzz"], "there is no aircraft \"zzz\" in the list"),
         (
             &["analyse", "navion", "--set", "cm_alhpa=1"],
             "there is no parameter \"cm_alhpa\"; did you mean \"cm_alpha\"?",
+        ),
+        (
+            &["analyse", "navion", "--set", "Cl_beta=-0.1"],
+            "there is no parameter \"Cl_beta\"; did you mean \"croll_beta\"?",
+        ),
+        (
+            &["analyse", "navion", "--set", "elevator=0.1"],
+            "elevator (elevator) sizes a disturbance, which has no part in this answer; only \"respond\" uses it",
+        ),
+        (
+            &["frequency", "navion", "--set", "time=10"],
+            "time (time shown) sizes a disturbance, which has no part in this answer; only \"respond\" uses it",
+        ),
+        (
+            &["respond", "navion", "--disturbance", "release", "--set", "from_beta=0.1"],
+            "from_beta (sideslip at release) is no size of the disturbance \"release\" in longitudinal motion; \
+             expected from_u, from_alpha, from_q, from_theta, times, time",
+        ),
+        (
+            &["respond", "navion", "--disturbance", "elevator", "--shape", "pulse", "--set", "elevator=0.1"],
+            "elevator (elevator) is no size of the disturbance \"elevator pulse\" in longitudinal motion; \
+             expected elevator_pulse, part, times, time",
         ),
         (
             &["analyse", "lesson", "--set", "cm_alpha=1"],

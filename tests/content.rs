@@ -373,3 +373,16 @@ proptest! {
         check(&text);
     }
 }
+
+/// The list tells what an aircraft is and how it flies; what becomes of its modes is for a student to find.
+#[test]
+fn names_and_flight_conditions_give_no_answer_away() {
+    for aircraft in embedded_aircraft().0 {
+        let told = format!("{} {}", aircraft.name, aircraft.condition).to_lowercase();
+        for answer in
+            ["diverge", "damp", "stable", "tuck", "spiral", "phugoid", "period", "roll", "gravity as"]
+        {
+            assert!(!told.contains(answer), "{told}");
+        }
+    }
+}

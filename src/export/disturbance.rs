@@ -6,7 +6,7 @@ use crate::findings::{Findings, Problem};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode_name::ModeName;
 use crate::key::Keyed;
-use crate::scenario::{Scenario, Shape, Source};
+use crate::scenario::{Parameter, Scenario, Shape, Source, parameters};
 
 /// Sets plane and disturbance, one of `sources`; `what` they are, in a message. Without a name it stays that of the page.
 pub(super) fn choose_disturbance(
@@ -81,6 +81,38 @@ pub(super) fn choose_mode(
         })?;
     }
     Ok(modes.get(choice.mode).copied())
+}
+
+/// Refuses a size that is set although the disturbance doesn't have it: it would be ignored.
+pub(super) fn check_sizes(scenario: &Scenario) -> Result<(), ExportError> {
+    let choice = &scenario.disturbance.choices[scenario.plane];
+    let mut own = choice.parameters(scenario.plane);
+    own.extend(["times", "time"]);
+    let Some(Parameter { key, name, .. }) = set_sizes(scenario).find(|size| !own.contains(&size.key)) else {
+        return Ok(());
+    };
+    let (plane, source) = (scenario.plane.key(), choice.source.key());
+    let disturbance =
+        choice.shape().map_or_else(|| source.to_owned(), |shape| format!("{source} {}", shape.key()));
+    let expected = own.join(", ");
+    Err(ExportError::Request(format!(
+        "{key} ({name}) is no size of the disturbance \"{disturbance}\" in {plane} motion; expected {expected}"
+    )))
+}
+
+/// Refuses every size that is set, where nothing is disturbed.
+pub(super) fn check_no_sizes(scenario: &Scenario) -> Result<(), ExportError> {
+    match set_sizes(scenario).next() {
+        Some(Parameter { key, name, .. }) => Err(ExportError::Request(format!(
+            "{key} ({name}) sizes a disturbance, which has no part in this answer; only \"respond\" uses it"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// The sizes of disturbances that are set.
+fn set_sizes(scenario: &Scenario) -> impl Iterator<Item = &'static Parameter> {
+    parameters().filter(|parameter| parameter.is_of_disturbance() && parameter.is_edited(scenario))
 }
 
 /// Error of a scenario without motion: the plane has no data, or its data no model.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
-use super::disturbance::{choose_disturbance, named, no_motion};
+use super::disturbance::{check_no_sizes, choose_disturbance, named, no_motion};
 use super::subject::{ExportError, set_on};
 use super::sweep::MOST_POINTS;
 use crate::findings::{Findings, FrequencyResponse};
@@ -106,6 +106,7 @@ const POINTS: usize = 400;
 
 /// The frequency response of an aircraft as it is set.
 pub fn frequency(scenario: &Scenario, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
+    check_no_sizes(scenario)?;
     let mut scenario = scenario.clone();
     let wanted = request.output.as_deref().map(|name| named(name, Output::VALUES, "output")).transpose()?;
     if let (None, Some(output)) = (&request.disturbance, wanted) {

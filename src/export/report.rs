@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::aircraft::AircraftReport;
+use super::disturbance::check_no_sizes;
 use super::level::OverallLevelReport;
 use super::plane::PlaneReport;
-use super::subject::set_on;
+use super::subject::{ExportError, set_on};
 use crate::findings::Findings;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::{Analysis, AnalysisError};
@@ -111,7 +112,8 @@ impl PlaneOutcome {
 }
 
 /// Everything that follows for an aircraft as it is set.
-pub fn analyse(findings: &Findings) -> Result<Report, AnalysisError> {
+pub fn analyse(findings: &Findings) -> Result<Report, ExportError> {
+    check_no_sizes(findings.scenario())?;
     let analysis = findings.analysis().as_ref().map_err(Clone::clone)?;
     let &Analysis { margins, gravity, .. } = analysis;
     let aircraft = &findings.scenario().aircraft;

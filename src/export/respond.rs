@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
-use super::disturbance::{choose_disturbance, choose_mode, choose_shape, no_motion};
+use super::disturbance::{check_sizes, choose_disturbance, choose_mode, choose_shape, no_motion};
 use super::flown::FlightOutcome;
 use super::metrics::MetricsReport;
 use super::signal::Signal;
@@ -99,6 +99,7 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
     let plane = scenario.plane;
     let shape = choose_shape(&mut scenario, request.shape.as_deref())?;
     let mode = choose_mode(&mut scenario, request.mode.as_deref(), source)?;
+    check_sizes(&scenario)?;
 
     let own = if source == Source::Turbulence { scenario.experiment().grid.steps } else { STEPS };
     let steps = request.steps.unwrap_or(own);

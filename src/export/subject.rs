@@ -196,8 +196,15 @@ impl Source {
 pub(super) fn find_parameter(key: &str) -> Result<&'static Parameter, ExportError> {
     Parameter::find(key).ok_or_else(|| ExportError::UnknownParameter {
         key: key.to_owned(),
-        nearest: nearest(key, parameters().map(|p| p.key)),
+        nearest: rolling_moment(key).or_else(|| nearest(key, parameters().map(|p| p.key))),
     })
+}
+
+/// The key of a rolling moment that is written as in books, `cl_beta`: here `cl` is the lift.
+fn rolling_moment(key: &str) -> Option<String> {
+    let key = key.to_lowercase();
+    let rolling = format!("croll_{}", key.strip_prefix("cl_")?);
+    Parameter::find(&rolling).map(|parameter| parameter.key.to_owned())
 }
 
 /// A value that the aircraft's parameter accepts \[SI\].

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
+use super::disturbance::check_no_sizes;
 use super::report::Units;
 use super::subject::{ExportError, checked, find_parameter, set_on};
 use crate::flight::aircraft::aircraft_model::ModelError;
@@ -155,6 +156,7 @@ pub struct Sweep {
 impl Sweep {
     /// Checks everything; nothing is computed yet.
     pub fn new(scenario: Scenario, request: &SweepRequest) -> Result<Self, ExportError> {
+        check_no_sizes(&scenario)?;
         let parameter = find_parameter(&request.parameter)?;
         let &SweepRequest { from, to, points, .. } = request;
         for end in [from, to] {

@@ -21,7 +21,7 @@ use arguments::{Arguments, Command, Format};
 use clap::Parser as _;
 use clap::error::ErrorKind as Misuse;
 use eigenwing::export::{
-    self, ExportError, FrequencyRequest, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest,
+    self, FrequencyRequest, ResponseRequest, Sweep, SweepPoint, SweepReport, SweepRequest,
 };
 use eigenwing::findings::Findings;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -63,7 +63,7 @@ fn answer(command: &Command) -> Result<String, InputError> {
             }
         }
         Command::Analyse { subject, output } => {
-            let report = export::analyse(&Findings::of(subject.read()?)).map_err(ExportError::from)?;
+            let report = export::analyse(&Findings::of(subject.read()?))?;
             match output.format() {
                 Format::Table => tables::analysis(&report),
                 Format::Json => json(&report),
