@@ -252,12 +252,66 @@ fn an_overdamped_short_period_is_judged_on_both_of_its_cards() {
 }
 
 #[test]
-fn the_value_in_use_stands_beside_the_one_that_is_not() {
+fn the_value_in_effect_is_larger_than_the_one_that_the_slider_sets() {
+    for size in [WIDE, TABLET, PHONE] {
+        let mut harness = page(size);
+        let field = |harness: &page::Page| {
+            harness.get_by_role_and_label(Role::TextInput, "pitch stiffness C_mα, typed").rect()
+        };
+        let alone = field(&harness);
+        open(&mut harness, "v=1&ac=navion&cg=15.38");
+        let effective = harness.get_by_role_and_label(Role::Label, "−0.000128").rect();
+        let small = field(&harness);
+        assert_eq!(
+            harness.get_by_role_and_label(Role::TextInput, "pitch stiffness C_mα, typed").value().as_deref(),
+            Some("−0.683")
+        );
+        // Where the number stood alone; beside it what the slider sets, in a field that is smaller.
+        assert!(alone.expand(9.0).contains_rect(effective), "{size}: {effective} in {alone}");
+        assert!(small.left() >= effective.right() && small.width() < alone.width() - 15.0, "{size}: {small}");
+        assert!(small.height() <= alone.height(), "{size}: {small}");
+        // It is still typed into.
+        type_into(&mut harness, "pitch stiffness C_mα, typed", "-0.7");
+        assert_eq!(value(&harness, "cm_alpha"), -0.7);
+    }
+}
+
+#[test]
+fn the_knobs_and_what_stiffens_and_damps_are_in_sight_as_the_page_opens() {
     let mut harness = page(WIDE);
-    assert_eq!(harness.query_all_by_label_contains("▸ ").count(), 0);
-    open(&mut harness, "v=1&ac=navion&speed=32");
-    // 0.41 (53.64/32)² = 1.152
-    harness.get_by_label("▸ 1.15");
+    let knob = |name: &str| name.starts_with("shift of the centre of gravity");
+    for (plane, wanted) in [
+        (
+            "Longitudinal",
+            ["airspeed V", "size of the horizontal tail", "pitch stiffness C_mα", "pitch damping C_mq"],
+        ),
+        ("Lateral–directional", ["airspeed V", "size of the fin", "weathercock stability", "roll damping"]),
+    ] {
+        harness.get_by_label(plane).click();
+        harness.run();
+        let list = harness.get_by_label("Find a derivative").rect().bottom()..=WIDE.y - 178.0;
+        let sliders: Vec<(String, egui::Rect)> = harness
+            .get_all_by_role(Role::Slider)
+            .map(|node| (node.accesskit_node().label().unwrap_or_default(), node.rect()))
+            .collect();
+        assert!(knob(&sliders[0].0), "{plane}: {}", sliders[0].0);
+        for name in wanted {
+            let (_, rect) = sliders.iter().find(|(label, _)| label.starts_with(name)).expect(name);
+            assert!(list.contains(&rect.top()) && list.contains(&rect.bottom()), "{name} at {rect}");
+        }
+    }
+    // What is next to nothing at low speed comes last.
+    harness.get_by_label("Longitudinal").click();
+    harness.run();
+    let top = |name: &str| {
+        harness
+            .get_all_by_role(Role::Slider)
+            .find(|node| node.accesskit_node().label().is_some_and(|l| l.contains(name)))
+            .expect("a slider")
+            .rect()
+            .top()
+    };
+    assert!(top("C_LM") > top("C_mδe") && top("C_mM") > top("C_D"));
 }
 
 #[test]

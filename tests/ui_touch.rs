@@ -173,7 +173,7 @@ fn on_a_phone_a_finger_going_up_on_the_map_or_a_slider_scrolls_the_sliders_and_s
     let mut page = page(PHONE);
     let before = scenario(&page).clone();
     let slider = |page: &Page| {
-        page.get_by_role_and_label(Role::Slider, "pitching moment due to Mach number C_mM").rect()
+        page.get_by_role_and_label(Role::Slider, "altitude h").rect()
     };
     let (pole, place) = (on_map(&page), slider(&page));
     let spot = empty_spot(&page);
@@ -231,13 +231,13 @@ fn a_tap_on_a_plot_moves_the_cursor_and_a_finger_going_up_scrolls() {
 #[test]
 fn a_slider_that_is_moved_stays_where_it_is() {
     let mut page = page(PHONE);
-    let place = |page: &Page| page.get_by_role_and_label(Role::Slider, "trim lift C_L").rect();
+    let place = |page: &Page| page.get_by_role_and_label(Role::Slider, "airspeed V").rect();
     let before = place(&page);
-    page.get_by_role_and_label(Role::Slider, "trim lift C_L").focus();
+    page.get_by_role_and_label(Role::Slider, "airspeed V").focus();
     page.run();
     page.key_press(Key::ArrowRight);
     page.run();
-    assert_eq!(page.query_all_by_label("Reset the group Speed").count(), 1);
+    assert_eq!(page.query_all_by_label("Reset the group Aircraft and flight condition").count(), 1);
     assert_eq!(place(&page), before);
 }
 

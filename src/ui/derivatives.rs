@@ -7,7 +7,7 @@ use egui::{
     TextEdit, TextWrapMode, Ui, UiBuilder, Vec2,
 };
 
-use super::number_field::number_field_ui;
+use super::number_field::{NumberField, number_field_ui};
 use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
@@ -28,6 +28,8 @@ const COMPACT_FIELD: f32 = 44.0;
 /// Of a row for a mouse, and of the field in it: low, so that the knobs are in sight below the coefficients.
 const ROW_HEIGHT: f32 = 27.0;
 const LOW_FIELD: f32 = 22.0;
+/// Of the field below a unit.
+const LOWEST_FIELD: f32 = 13.0;
 /// Room for eight lines; a longer card scrolls.
 const HELP_HEIGHT: f32 = 168.0;
 
@@ -270,15 +272,57 @@ impl Row {
         (response, moved.map(in_si))
     }
 
-    /// The unit in its column, with the value in use where that is another.
-    fn unit_ui(&self, ui: &mut Ui) {
-        let size = Vec2::new(self.unit_width, self.height);
-        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_width(self.unit_width);
-            ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-            let differs = |moved: &f64| trimmed(*moved, 3) != trimmed(self.value, 3);
-            unit_ui(ui, self.unit, self.in_effect.filter(differs));
+    /// What knobs and flight condition have made of the value, where that is seen to be another.
+    fn moved(&self) -> Option<String> {
+        let differs = |moved: &f64| trimmed(*moved, 3) != trimmed(self.value, 3);
+        self.in_effect.filter(differs).map(|moved| trimmed(moved, 3))
+    }
+
+    /// The value in effect, large, and its unit. Where knobs have moved it, what the slider sets stands small below the unit.
+    fn value_ui(&self, ui: &mut Ui, scenario: &Scenario) -> NumberField {
+        let sizes = theme::sizes(ui);
+        let Some(moved) = self.moved() else {
+            let field = self.field_ui(ui, scenario, (FIELD_WIDTH, sizes.name));
+            self.column_ui(ui, self.unit_width, |ui| unit_ui(ui, self.unit));
+            return field;
+        };
+        let color = Palette::of(ui).warning;
+        self.column_ui(ui, FIELD_WIDTH, |ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let text = RichText::new(&moved).font(theme::semibold(sizes.name)).color(color);
+                ui.label(text).on_hover_text(format!(
+                    "In effect, as the knobs and the flight condition make it. The slider sets {}.",
+                    self.shown
+                ));
+            });
         });
+        let column = |ui: &mut Ui| {
+            ui.vertical(|ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                if !self.unit.is_empty() {
+                    unit_ui(ui, self.unit);
+                }
+                theme::make_low(ui, LOWEST_FIELD);
+                self.field_ui(ui, scenario, (self.unit_width, sizes.unit))
+            })
+            .inner
+        };
+        self.column_ui(ui, self.unit_width, column)
+    }
+
+    fn field_ui(&self, ui: &mut Ui, scenario: &Scenario, form: (f32, f32)) -> NumberField {
+        let id = Id::unique(("number", self.parameter.key));
+        let name = format!("{}, typed", self.name);
+        number_field_ui(ui, id, &name, &self.shown, form, |text| self.parameter.parse(scenario, text))
+    }
+
+    /// A part of the row with a width of its own.
+    fn column_ui<R>(&self, ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui) -> R) -> R {
+        let (place, _) = ui.allocate_exact_size(Vec2::new(width, self.height), Sense::hover());
+        let builder = UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center));
+        let ui = &mut ui.new_child(builder);
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        contents(ui)
     }
 
     /// How it moves each mode.
@@ -334,15 +378,7 @@ fn row_ui(
             slider.request_focus();
             slider.scroll_to_me(Some(Align::Center));
         }
-        let field = number_field_ui(
-            ui,
-            ui.scope_id().with(("number", parameter.key)),
-            &format!("{}, typed", row.name),
-            &row.shown,
-            FIELD_WIDTH,
-            |text| parameter.parse(scenario, text),
-        );
-        row.unit_ui(ui);
+        let field = row.value_ui(ui, scenario);
         row.bars_ui(ui, findings);
         row.reset_ui(ui, scenario);
         let at_it = hovered || slider.has_focus() || field.response.has_focus();
@@ -362,31 +398,8 @@ fn row_ui(
     at_it
 }
 
-/// The unit of a row, and below it the value that is in use, where knobs and flight condition have moved it to another.
-fn unit_ui(ui: &mut Ui, unit: &str, in_use: Option<f64>) {
-    let palette = Palette::of(ui);
-    let shown_unit =
-        |ui: &mut Ui| ui.label(RichText::new(unit).size(theme::sizes(ui).unit).color(palette.weak));
-    let Some(in_use) = in_use else {
-        shown_unit(ui);
-        return;
-    };
-    let number = trimmed(in_use, 3);
-    let used = |ui: &mut Ui| {
-        let text = RichText::new(format!("▸ {number}"))
-            .font(theme::semibold(theme::sizes(ui).unit))
-            .color(palette.warning);
-        ui.label(text).on_hover_text("The value in use, as the knobs and the flight condition make it");
-    };
-    if unit.is_empty() {
-        used(ui);
-        return;
-    }
-    ui.vertical(|ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        shown_unit(ui);
-        used(ui);
-    });
+fn unit_ui(ui: &mut Ui, unit: &str) {
+    ui.label(RichText::new(unit).size(theme::sizes(ui).unit).color(Palette::of(ui).weak));
 }
 
 /// A number with its symbol and unit, without a slider: for the parameters of a disturbance.
@@ -410,7 +423,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
             Id::unique(("disturbance", parameter.key)),
             &name,
             &shown,
-            COMPACT_FIELD,
+            (COMPACT_FIELD, theme::sizes(ui).name),
             |text| parameter.parse(scenario, text),
         );
         ui.label(RichText::new(unit).font(theme::small()).color(palette.weak));

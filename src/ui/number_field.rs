@@ -49,27 +49,29 @@ impl Refusal {
     }
 }
 
-/// Draws a field that shows `shown`; on Enter or when left, what was typed goes through `read`.
+/// Draws a field of a width and a size of type that shows `shown`; on Enter or when left, what was typed goes through `read`.
 pub fn number_field_ui(
     ui: &mut Ui,
     id: Id,
     name: &str,
     shown: &str,
-    width: f32,
+    (width, size): (f32, f32),
     read: impl FnOnce(&str) -> Result<f64, ValueError>,
 ) -> NumberField {
     let palette = Palette::of(ui);
     let mut draft: Option<Draft> =
         ui.data(|data| data.get_temp::<Draft>(id)).filter(|draft| draft.beside == shown);
     let mut text = draft.as_ref().map_or_else(|| shown.to_owned(), |draft| draft.text.clone());
+    // A small field stands below something else.
+    let above = if size < theme::sizes(ui).name { 0 } else { 3 };
     let refused = draft.as_ref().is_some_and(|draft| draft.refusal.is_some());
 
     let output = TextEdit::singleline(&mut text)
         .id(id)
         .desired_width(width)
         .align(egui::Align2::RIGHT_CENTER)
-        .font(FontId::proportional(theme::sizes(ui).name))
-        .margin(egui::Margin::symmetric(4, 3))
+        .font(FontId::proportional(size))
+        .margin(egui::Margin::symmetric(4, above))
         .text_color(if refused { palette.bad } else { palette.text })
         .char_limit(32)
         .show(ui);

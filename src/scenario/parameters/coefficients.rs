@@ -41,7 +41,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         name: "lift due to Mach number",
         page: Some(Page::Coefficients),
         plane: Some(Plane::Longitudinal),
-        group: Group::Speed,
+        group: Group::Mach,
         dimension: Dimension::Number,
         meaning: "Growth of lift with Mach number at the same angle of attack: the air is compressed.",
         sign: "Positive makes extra speed lift more, which stiffens the phugoid; beyond the drag rise it may \
@@ -56,7 +56,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         name: "drag due to Mach number",
         page: Some(Page::Coefficients),
         plane: Some(Plane::Longitudinal),
-        group: Group::Speed,
+        group: Group::Mach,
         dimension: Dimension::Number,
         meaning: "Growth of drag with Mach number at the same angle of attack: shock waves cost drag.",
         sign: "Positive adds to the speed damping; it damps the phugoid.",
@@ -70,7 +70,7 @@ pub(super) const ROWS: [Parameter; 30] = [
         name: "pitching moment due to Mach number",
         page: Some(Page::Coefficients),
         plane: Some(Plane::Longitudinal),
-        group: Group::Speed,
+        group: Group::Mach,
         dimension: Dimension::Number,
         meaning: "Nose-up moment as the Mach number grows at the same angle of attack: the lift moves along \
             the chord.",

@@ -1,10 +1,43 @@
-//! The knobs: flight condition, mass, inertia, centre of gravity, tail, fin and dihedral.
+//! The knobs: centre of gravity, mass, flight condition, tail, fin, dihedral and inertia. What a beginner asks for comes first.
 
 use super::{Extent, Group, Page, Parameter, Place};
 use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Dimension;
 
 pub(super) const ROWS: [Parameter; 11] = [
+    Parameter {
+        key: "cg",
+        symbol: "Δx_{cg}/c",
+        name: "shift of the centre of gravity",
+        page: Some(Page::Coefficients),
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "How far the centre of gravity lies behind that of the reference, in mean chords. It moves \
+            C_mα, C_mq, C_mα̇, C_mM, C_mδe and C_Lq, and by less C_nβ, C_np, C_nr, C_nδa, C_nδr, C_Yr and \
+            C_lr.",
+        sign: "Positive is aft and takes pitch stiffness away; aft of the neutral point the aircraft is \
+            statically unstable.",
+        origin: "C_mα = C_Lα (h − h_n); forces and velocities carried to the new centre as by a rigid body. \
+            Inertias stay.",
+        place: Place::Knob(|k| &mut k.cg_shift),
+        extent: Extent::Fixed { low: -0.3, high: 0.4 },
+    },
+    Parameter {
+        key: "mass",
+        symbol: "m/m_0",
+        name: "mass",
+        page: Some(Page::Coefficients),
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Mass over that of the reference. It divides every force derivative, X, Y and Z, and raises \
+            the trim lift, with drag, C_Dα, C_lr and C_np after it.",
+        sign: "Above 100 % is heavier: flown at a higher C_L, with less heave damping.",
+        origin: "C_L = W cos γ₀/(½ρV²S). The moments of inertia have their own sliders.",
+        place: Place::Knob(|k| &mut k.mass_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
     Parameter {
         key: "speed",
         symbol: "V",
@@ -36,100 +69,6 @@ pub(super) const ROWS: [Parameter; 11] = [
         origin: "International standard atmosphere; C_L = W cos γ₀/(½ρV²S).",
         place: Place::Condition(|c| &mut c.altitude),
         extent: Extent::Fixed { low: 0.0, high: 13_000.0 },
-    },
-    Parameter {
-        key: "gamma",
-        symbol: "γ_0",
-        name: "flight-path angle",
-        page: Some(Page::Coefficients),
-        plane: None,
-        group: Group::Aircraft,
-        dimension: Dimension::Angle,
-        meaning: "Angle of the steady flight path above the horizon. It moves the gravity terms g cos θ₀ and \
-            g sin θ₀, and tan θ₀ of the lateral motion; by a little also the trim lift and the thrust in X_u \
-            and M_u.",
-        sign: "Positive climbs, negative descends.",
-        origin: "C_L = W cos γ₀/(½ρV²S), and thrust T = D + W sin γ₀.",
-        place: Place::Condition(|c| &mut c.gamma0),
-        extent: Extent::Fixed { low: -0.26, high: 0.26 },
-    },
-    Parameter {
-        key: "mass",
-        symbol: "m/m_0",
-        name: "mass",
-        page: Some(Page::Coefficients),
-        plane: None,
-        group: Group::Aircraft,
-        dimension: Dimension::Percent,
-        meaning: "Mass over that of the reference. It divides every force derivative, X, Y and Z, and raises \
-            the trim lift, with drag, C_Dα, C_lr and C_np after it.",
-        sign: "Above 100 % is heavier: flown at a higher C_L, with less heave damping.",
-        origin: "C_L = W cos γ₀/(½ρV²S). The moments of inertia have their own sliders.",
-        place: Place::Knob(|k| &mut k.mass_ratio),
-        extent: Extent::Fixed { low: 0.5, high: 2.0 },
-    },
-    Parameter {
-        key: "ix",
-        symbol: "I_x/I_{x0}",
-        name: "roll inertia",
-        page: Some(Page::Coefficients),
-        plane: Some(Plane::Lateral),
-        group: Group::Aircraft,
-        dimension: Dimension::Percent,
-        meaning: "Moment of inertia in roll over that of the reference. It divides every L derivative, and \
-            through the product of inertia it moves L′ and N′ too.",
-        sign: "Above 100 % is more mass in the wings: the roll mode is slower.",
-        origin: "Rolling moments over Ix; the product of inertia stays.",
-        place: Place::Knob(|k| &mut k.ix_ratio),
-        extent: Extent::Fixed { low: 0.5, high: 2.0 },
-    },
-    Parameter {
-        key: "iy",
-        symbol: "I_y/I_{y0}",
-        name: "pitch inertia",
-        page: Some(Page::Coefficients),
-        plane: Some(Plane::Longitudinal),
-        group: Group::Aircraft,
-        dimension: Dimension::Percent,
-        meaning: "Moment of inertia in pitch over that of the reference. It divides every M derivative.",
-        sign: "Above 100 % is more mass in nose and tail: the short period is slower, and pitch damping \
-            weaker.",
-        origin: "Pitching moments over Iy.",
-        place: Place::Knob(|k| &mut k.iy_ratio),
-        extent: Extent::Fixed { low: 0.5, high: 2.0 },
-    },
-    Parameter {
-        key: "iz",
-        symbol: "I_z/I_{z0}",
-        name: "yaw inertia",
-        page: Some(Page::Coefficients),
-        plane: Some(Plane::Lateral),
-        group: Group::Aircraft,
-        dimension: Dimension::Percent,
-        meaning: "Moment of inertia in yaw over that of the reference. It divides every N derivative, and \
-            through the product of inertia it moves L′ and N′ too.",
-        sign: "Above 100 % is more mass far from the centre: the Dutch roll is slower.",
-        origin: "Yawing moments over Iz; the product of inertia stays.",
-        place: Place::Knob(|k| &mut k.iz_ratio),
-        extent: Extent::Fixed { low: 0.5, high: 2.0 },
-    },
-    Parameter {
-        key: "cg",
-        symbol: "Δx_{cg}/c",
-        name: "shift of the centre of gravity",
-        page: Some(Page::Coefficients),
-        plane: None,
-        group: Group::Aircraft,
-        dimension: Dimension::Percent,
-        meaning: "How far the centre of gravity lies behind that of the reference, in mean chords. It moves \
-            C_mα, C_mq, C_mα̇, C_mM, C_mδe and C_Lq, and by less C_nβ, C_np, C_nr, C_nδa, C_nδr, C_Yr and \
-            C_lr.",
-        sign: "Positive is aft and takes pitch stiffness away; aft of the neutral point the aircraft is \
-            statically unstable.",
-        origin: "C_mα = C_Lα (h − h_n); forces and velocities carried to the new centre as by a rigid body. \
-            Inertias stay.",
-        place: Place::Knob(|k| &mut k.cg_shift),
-        extent: Extent::Fixed { low: -0.3, high: 0.4 },
     },
     Parameter {
         key: "tail",
@@ -179,5 +118,66 @@ pub(super) const ROWS: [Parameter; 11] = [
         origin: "C_lβ = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing.",
         place: Place::Knob(|k| &mut k.dihedral_change),
         extent: Extent::Fixed { low: -0.175, high: 0.175 },
+    },
+    Parameter {
+        key: "gamma",
+        symbol: "γ_0",
+        name: "flight-path angle",
+        page: Some(Page::Coefficients),
+        plane: None,
+        group: Group::Aircraft,
+        dimension: Dimension::Angle,
+        meaning: "Angle of the steady flight path above the horizon. It moves the gravity terms g cos θ₀ and \
+            g sin θ₀, and tan θ₀ of the lateral motion; by a little also the trim lift and the thrust in X_u \
+            and M_u.",
+        sign: "Positive climbs, negative descends.",
+        origin: "C_L = W cos γ₀/(½ρV²S), and thrust T = D + W sin γ₀.",
+        place: Place::Condition(|c| &mut c.gamma0),
+        extent: Extent::Fixed { low: -0.26, high: 0.26 },
+    },
+    Parameter {
+        key: "iy",
+        symbol: "I_y/I_{y0}",
+        name: "pitch inertia",
+        page: Some(Page::Coefficients),
+        plane: Some(Plane::Longitudinal),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Moment of inertia in pitch over that of the reference. It divides every M derivative.",
+        sign: "Above 100 % is more mass in nose and tail: the short period is slower, and pitch damping \
+            weaker.",
+        origin: "Pitching moments over Iy.",
+        place: Place::Knob(|k| &mut k.iy_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
+    Parameter {
+        key: "ix",
+        symbol: "I_x/I_{x0}",
+        name: "roll inertia",
+        page: Some(Page::Coefficients),
+        plane: Some(Plane::Lateral),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Moment of inertia in roll over that of the reference. It divides every L derivative, and \
+            through the product of inertia it moves L′ and N′ too.",
+        sign: "Above 100 % is more mass in the wings: the roll mode is slower.",
+        origin: "Rolling moments over Ix; the product of inertia stays.",
+        place: Place::Knob(|k| &mut k.ix_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
+    },
+    Parameter {
+        key: "iz",
+        symbol: "I_z/I_{z0}",
+        name: "yaw inertia",
+        page: Some(Page::Coefficients),
+        plane: Some(Plane::Lateral),
+        group: Group::Aircraft,
+        dimension: Dimension::Percent,
+        meaning: "Moment of inertia in yaw over that of the reference. It divides every N derivative, and \
+            through the product of inertia it moves L′ and N′ too.",
+        sign: "Above 100 % is more mass far from the centre: the Dutch roll is slower.",
+        origin: "Yawing moments over Iz; the product of inertia stays.",
+        place: Place::Knob(|k| &mut k.iz_ratio),
+        extent: Extent::Fixed { low: 0.5, high: 2.0 },
     },
 ];

@@ -73,9 +73,11 @@ impl Page {
     }
 }
 
-/// Variable that a parameter multiplies, or subject that it belongs to, in the order of the page.
+/// Variable that a parameter multiplies, or subject that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
+    /// Knobs of the aircraft and its flight.
+    Aircraft,
     /// Speed u, and the steady forces.
     Speed,
     /// Angle of attack, or w.
@@ -100,33 +102,36 @@ pub enum Group {
     Aileron,
     /// Rudder.
     Rudder,
-    /// Knobs of the aircraft and its flight.
-    Aircraft,
+    /// Mach number.
+    Mach,
     /// The disturbance.
     Disturbance,
 }
 
 impl Group {
-    /// The groups of the derivatives pane, in its order.
-    pub const DERIVATIVES: [Self; 13] = [
-        Self::Speed,
+    /// The groups of the derivatives pane, in its order: what can be seen on an aircraft, its stiffness and damping, then the
+    /// rest, and last what is next to nothing at low speed.
+    pub const DERIVATIVES: [Self; 14] = [
+        Self::Aircraft,
         Self::AngleOfAttack,
-        Self::AngleOfAttackRate,
         Self::PitchRate,
+        Self::AngleOfAttackRate,
         Self::Sideslip,
         Self::RollRate,
         Self::YawRate,
+        Self::Speed,
         Self::Attitude,
         Self::Elevator,
         Self::Throttle,
         Self::Aileron,
         Self::Rudder,
-        Self::Aircraft,
+        Self::Mach,
     ];
 
     /// The words on screen.
     pub const fn text(self) -> &'static str {
         match self {
+            Self::Aircraft => "Aircraft and flight condition",
             Self::Speed => "Speed",
             Self::AngleOfAttack => "Angle of attack",
             Self::AngleOfAttackRate => "Rate of angle of attack",
@@ -139,7 +144,7 @@ impl Group {
             Self::Throttle => "Throttle",
             Self::Aileron => "Aileron",
             Self::Rudder => "Rudder",
-            Self::Aircraft => "Aircraft and flight condition",
+            Self::Mach => "Mach number",
             Self::Disturbance => "Disturbance",
         }
     }
