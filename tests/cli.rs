@@ -219,6 +219,30 @@ fn sweep_as_csv() {
     insta::assert_snapshot!(rounded(&answer(&[&SWEEP[..], &["--csv"]].concat())));
 }
 
+/// The static margin falls by as much as the centre of gravity goes back, and a period is empty where nothing oscillates.
+#[test]
+fn a_sweep_of_measures_has_a_column_for_each() {
+    let asked = ["sweep", "navion", "--parameter", "cg", "--from", "0", "--to", "0.2", "--points", "5"];
+    let measures = ["--measure", "static_margin", "--measure", "phugoid.period", "--measure", "level"];
+    insta::assert_snapshot!(answer(&[&asked[..], &measures].concat()));
+    insta::assert_snapshot!(rounded(&answer(&[&asked[..], &measures, &["--csv"]].concat())));
+}
+
+#[test]
+fn measures_as_csv() {
+    insta::assert_snapshot!(rounded(&answer(&["measures", "navion", "--csv"])));
+}
+
+#[test]
+fn a_misspelt_measure_is_one_sentence() {
+    let asked =
+        ["sweep", "navion", "--parameter", "cg", "--from", "0", "--to", "0.1", "--measure", "phugoid.perid"];
+    let run = run(&asked);
+    assert_eq!(run.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert_eq!(said, "error: there is no measure \"phugoid.perid\"; did you mean \"phugoid.period\"?\n");
+}
+
 #[test]
 fn a_long_sweep_draws_no_bar_where_there_is_no_terminal() {
     // `answer` sees to it that nothing else is printed.

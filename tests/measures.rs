@@ -1,15 +1,18 @@
 //! The table of measures: keys that lead back to themselves, readings that agree with the analysis, and a reason wherever there is
 //! nothing to read.
+//!
+//! `UPDATE_MEASURES=1 cargo test --no-default-features --test measures` writes docs/MEASURES.md anew.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
 use eigenwing::findings::Findings;
-use eigenwing::findings::measures::{Absence, Measure, Reading};
+use eigenwing::findings::measures::{Absence, Measure, Metric, Reading};
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::flight::modes::stability::Stability;
+use eigenwing::flight::motion::outputs::Output;
 use eigenwing::flight::verdicts::handling_qualities::Level;
 use eigenwing::scenario::{Parameter, Scenario, parameters};
 use eigenwing::words;
@@ -137,4 +140,59 @@ fn a_level_follows_from_the_class_that_is_chosen() {
     let behind = Findings::of(behind);
     assert_eq!(read(&behind, "level"), Ok(Reading::Level(Level::Three)));
     assert!(number(&behind, "static_margin") < 0.0);
+}
+
+/// What the documentation says of measures, made from their table.
+fn documentation() -> String {
+    use eigenwing::key::Keyed as _;
+    let mut text = "# Measures\n\n\
+        What can be read of a scene, by keys that never change: `eigenwing-cli measures navion` lists them with their values,\n\
+        `eigenwing-cli sweep navion --parameter cg --from 0 --to 0.2 --measure static_margin --measure phugoid.period` draws them over a\n\
+        parameter, and a lesson names them in its goals and numbers. Numbers are SI and radians; a verdict is a key, `stable` or\n\
+        `level-2`; where there is nothing to read, the reason is told.\n\n\
+        Written by `UPDATE_MEASURES=1 cargo test --no-default-features --test measures`; the same test fails when it is out of date.\n\n\
+        | key | what | unit |\n|---|---|---|\n"
+        .to_owned();
+    let mut row = |key: &str, name: &str, unit: &str| {
+        text += &format!("| `{key}` | {name} | {} |\n", if unit.is_empty() { "–" } else { unit });
+    };
+    for measure in Measure::all() {
+        let (key, name, unit) =
+            (measure.key(), words::measure::name(measure), measure.dimension().si_symbol());
+        match measure {
+            Measure::OfMode(mode, _) if mode != ModeName::ShortPeriod => {}
+            Measure::OfMode(..) => {
+                let quantity = key.split_once('.').map_or("", |(_, quantity)| quantity);
+                row(&format!("MODE.{quantity}"), &name.replace("of the short period", "of a mode"), unit);
+            }
+            Measure::OfOutput(..) | Measure::OfParameter(_) => {}
+            Measure::OfAircraft(_) | Measure::OfPlane(..) => row(&key, &name, unit),
+        }
+    }
+    for metric in Metric::VALUES {
+        let name = words::measure::name(Measure::OfOutput(Output::PitchRate, *metric))
+            .replace("pitch rate", "an output");
+        let unit = match metric {
+            Metric::Peak | Metric::Steady => "that of the output",
+            Metric::PeakTime | Metric::RiseTime | Metric::SettlingTime => "s",
+            Metric::Overshoot => "",
+        };
+        row(&format!("{}.OUTPUT", metric.key()), &name, unit);
+    }
+    row("parameter.KEY", "the value of a parameter, by its key in links", "SI");
+    let modes: Vec<String> =
+        ModeName::VALUES.iter().map(|name| format!("`{}`", name.key().replace('-', "_"))).collect();
+    let outputs: Vec<String> = Output::VALUES.iter().map(|output| format!("`{}`", output.key())).collect();
+    text + &format!("\nMODE is one of {}.\n\nOUTPUT is one of {}.\n", modes.join(", "), outputs.join(", "))
+}
+
+#[test]
+fn the_documentation_is_made_from_the_table() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/MEASURES.md");
+    let text = documentation();
+    if std::env::var_os("UPDATE_MEASURES").is_some() {
+        std::fs::write(path, &text).expect("the documentation can be written to");
+    }
+    let written = std::fs::read_to_string(path).expect("the documentation is there");
+    assert!(written == text, "docs/MEASURES.md is out of date; run with UPDATE_MEASURES=1");
 }

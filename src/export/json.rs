@@ -65,6 +65,12 @@ pub fn parameters(request: &str) -> Result<String, ExportError> {
     written(&super::parameters_of(&scenario))
 }
 
+/// What can be read of an aircraft: an array of [`super::MeasureReport`].
+pub fn measures(request: &str) -> Result<String, ExportError> {
+    let (scenario, Nothing {}) = read(request)?;
+    written(&super::measures_of(&Findings::of(scenario), true))
+}
+
 /// Everything that follows for an aircraft: a [`super::Report`].
 pub fn analyse(request: &str) -> Result<String, ExportError> {
     let (scenario, Nothing {}) = read(request)?;

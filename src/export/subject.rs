@@ -73,6 +73,14 @@ pub enum ExportError {
         /// The key most like it.
         nearest: Option<String>,
     },
+    /// Not a key of the table of measures.
+    #[error("there is no measure \"{key}\"{}", did_you_mean(.nearest))]
+    UnknownMeasure {
+        /// The key in the request.
+        key: String,
+        /// The key most like it.
+        nearest: Option<String>,
+    },
     /// A key that this aircraft doesn't have.
     #[error("{aircraft} has no parameter {key} ({name}): its source has no numbers for it")]
     NotOfAircraft {

@@ -6,8 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
 use super::disturbance::check_no_sizes;
+use super::measures::{MeasureValue, find_measure, value_of};
 use super::report::Units;
 use super::subject::{ExportError, checked, find_parameter, set_on};
+use crate::findings::Findings;
+use crate::findings::measures::Measure;
 use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::edits::EditedModel;
@@ -40,6 +43,10 @@ pub struct SweepRequest {
     #[serde(default = "some_points")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub points: usize,
+    /// Keys of measures that are read at every point.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub measures: Vec<String>,
 }
 
 const fn some_points() -> usize {
@@ -62,10 +69,24 @@ pub struct SweepReport {
     pub parameter: &'static str,
     /// Its SI unit: that of `value`, `between` and `at`.
     pub unit: &'static str,
+    /// The measures that were asked for, with the SI unit of each number, in the order of `measures` at every point.
+    pub measures: Vec<MeasureColumn>,
     /// The points in order.
     pub points: Vec<SweepPoint>,
     /// Changes of a verdict, with their places.
     pub changes: Vec<SweepChange>,
+}
+
+/// A measure that is read at every point of a sweep.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct MeasureColumn {
+    /// Its key.
+    pub key: String,
+    /// Name in words.
+    pub name: String,
+    /// SI unit of its numbers; empty for a ratio or a verdict.
+    pub unit: &'static str,
 }
 
 /// A point of a sweep.
@@ -80,6 +101,8 @@ pub struct SweepPoint {
     pub lateral: Option<SweepPlane>,
     /// Reason why a plane with data has no modes here.
     pub error: Option<String>,
+    /// What the measures read here; null where there is nothing to read.
+    pub measures: Vec<Option<MeasureValue>>,
 }
 
 /// A plane of motion at one point.
@@ -149,6 +172,7 @@ pub struct Sweep {
     set: BTreeMap<String, f64>,
     parameter: &'static Parameter,
     planes: Vec<Plane>,
+    measures: Vec<Measure>,
     values: Vec<f64>,
     next: usize,
 }
@@ -171,15 +195,24 @@ impl Sweep {
         }
         let last = points - 1;
         let value = |k: usize| from * ((last - k) as f64 / last as f64) + to * (k as f64 / last as f64);
+        let measures = request.measures.iter().map(|key| find_measure(key)).collect::<Result<Vec<_>, _>>()?;
         let set = set_on(&scenario);
         let planes = moved_planes(&scenario, parameter, from, to);
-        if planes.is_empty() {
+        if planes.is_empty() && measures.is_empty() {
             let Parameter { key, name, .. } = parameter;
             return Err(ExportError::Request(format!(
                 "{key} ({name}) moves no mode: there is nothing to sweep"
             )));
         }
-        Ok(Self { scenario, set, parameter, planes, values: (0..points).map(value).collect(), next: 0 })
+        Ok(Self {
+            scenario,
+            set,
+            parameter,
+            planes,
+            measures,
+            values: (0..points).map(value).collect(),
+            next: 0,
+        })
     }
 
     /// Everything at once.
@@ -202,6 +235,7 @@ impl Sweep {
             set: self.set.clone(),
             parameter: self.parameter.key,
             unit: self.parameter.dimension.si_symbol(),
+            measures: self.measures.iter().map(|measure| MeasureColumn::of(*measure)).collect(),
             points,
             changes,
         }
@@ -209,11 +243,12 @@ impl Sweep {
 
     fn point(&self, value: f64) -> SweepPoint {
         let moved = moved(&self.scenario, self.parameter, value);
+        let measures = self.read(&moved);
         let models = match moved.edited.models() {
             Ok(models) => models,
             Err(error) => {
                 let error = Some(error.to_string());
-                return SweepPoint { value, longitudinal: None, lateral: None, error };
+                return SweepPoint { value, longitudinal: None, lateral: None, error, measures };
             }
         };
         let is_of = |problem: &&ModelError| problem.plane().is_none_or(|plane| self.planes.contains(&plane));
@@ -229,7 +264,16 @@ impl Sweep {
             }
         };
         let (longitudinal, lateral) = (of(Plane::Longitudinal), of(Plane::Lateral));
-        SweepPoint { value, longitudinal, lateral, error }
+        SweepPoint { value, longitudinal, lateral, error, measures }
+    }
+
+    /// What the measures read of a scenario.
+    fn read(&self, moved: &Scenario) -> Vec<Option<MeasureValue>> {
+        if self.measures.is_empty() {
+            return Vec::new();
+        }
+        let findings = Findings::of(moved.clone());
+        self.measures.iter().map(|measure| value_of(*measure, &findings)).collect()
     }
 
     /// Places where a verdict turns from stable to unstable or back. A point on the boundary is neither; across points without
@@ -265,6 +309,16 @@ impl Sweep {
             }
         }
         0.5 * (before + after)
+    }
+}
+
+impl MeasureColumn {
+    fn of(measure: Measure) -> Self {
+        Self {
+            key: measure.key(),
+            name: words::measure::name(measure),
+            unit: measure.dimension().si_symbol(),
+        }
     }
 }
 

@@ -12,8 +12,8 @@ use std::fs;
 use ts_rs::{Config, TS, TypeVisitor};
 
 use super::{
-    AircraftReport, FrequencyReport, FrequencyRequest, ParameterReport, Report, ResponseReport,
-    ResponseRequest, SweepReport, SweepRequest, json, sweep,
+    AircraftReport, FrequencyReport, FrequencyRequest, MeasureReport, ParameterReport, Report,
+    ResponseReport, ResponseRequest, SweepReport, SweepRequest, json, sweep,
 };
 use crate::content::{MatrixFormat, Status};
 use crate::flight::aircraft::plane::Plane;
@@ -39,6 +39,7 @@ fn the_committed_types_are_those_of_the_structs() {
     types.visit::<SweepRequest>();
     types.visit::<AircraftReport>();
     types.visit::<ParameterReport>();
+    types.visit::<MeasureReport>();
     types.visit::<Report>();
     types.visit::<ResponseReport>();
     types.visit::<FrequencyReport>();

@@ -11,6 +11,8 @@ pub enum Dimension {
     PerSecond,
     /// 1/s².
     PerSecondSquared,
+    /// 1/s⁴: det A.
+    PerSecondFourth,
     /// Length over time, in the aircraft's unit of length.
     Speed,
     /// Length over time squared, in the aircraft's unit of length.
@@ -51,6 +53,7 @@ impl Dimension {
         match self {
             Self::PerSecond
             | Self::PerSecondSquared
+            | Self::PerSecondFourth
             | Self::AirSpeed
             | Self::Time
             | Self::Frequency
@@ -71,6 +74,7 @@ impl Dimension {
         match (self, length) {
             (Self::PerSecond, _) => "1/s",
             (Self::PerSecondSquared, _) => "1/s²",
+            (Self::PerSecondFourth, _) => "1/s⁴",
             (Self::Speed, LengthUnit::Metre) | (Self::AirSpeed, _) => "m/s",
             (Self::Speed, LengthUnit::HundredFeet) => "100 ft/s",
             (Self::Acceleration, LengthUnit::Metre) => "m/s²",
@@ -97,6 +101,7 @@ impl Dimension {
         match self {
             Self::PerSecond => "1/s",
             Self::PerSecondSquared => "1/s²",
+            Self::PerSecondFourth => "1/s⁴",
             Self::Speed | Self::AirSpeed => "m/s",
             Self::Acceleration => "m/s²",
             Self::PerLengthSecond => "1/(m·s)",

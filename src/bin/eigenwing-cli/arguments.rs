@@ -26,6 +26,16 @@ pub enum Command {
         #[command(flatten)]
         output: Output,
     },
+    /// What can be read of an aircraft, by key, with its values in SI: columns of a sweep, goals and numbers of a lesson
+    Measures {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        /// Those with nothing to read too, each with its reason
+        #[arg(long)]
+        all: bool,
+        #[command(flatten)]
+        output: Output,
+    },
     /// Eigenvalues, named modes, verdicts, approximations and handling qualities
     #[command(alias = "analyze")]
     Analyse {
@@ -103,6 +113,9 @@ pub enum Command {
         /// Number of values, both ends among them
         #[arg(long, value_name = "N", default_value_t = 51)]
         points: usize,
+        /// Key of a measure to read at every value instead of the modes, such as phugoid.period; may be given again
+        #[arg(long = "measure", value_name = "KEY")]
+        measures: Vec<String>,
         #[command(flatten)]
         output: Output,
     },

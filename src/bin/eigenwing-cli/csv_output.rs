@@ -1,14 +1,19 @@
 //! Answers as CSV: a head with units, every digit, an empty cell where there is no number.
 
 use eigenwing::export::{
-    AircraftReport, FlightOutcome, FrequencyReport, ParameterReport, PlaneOutcome, Report, ResponseReport,
-    SplitOutcome, SweepPlane, SweepReport,
+    AircraftReport, FlightOutcome, FrequencyReport, MeasureReport, MeasureValue, ParameterReport,
+    PlaneOutcome, Report, ResponseReport, SplitOutcome, SweepPlane, SweepReport,
 };
 
 use crate::tables::heading;
 
 /// Text from a head and rows.
-fn csv<const N: usize>(head: [&str; N], mut rows: impl Iterator<Item = [String; N]>) -> String {
+fn csv<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
+    records(head.map(str::to_owned), rows)
+}
+
+/// The same with as many columns as the head has.
+fn records<R: IntoIterator<Item = String>>(head: R, mut rows: impl Iterator<Item = R>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let written = writer.write_record(head).and_then(|()| rows.try_for_each(|row| writer.write_record(row)));
     // Nothing can go wrong on the way into memory; and if it did, the text would end there.
@@ -138,6 +143,33 @@ pub fn frequency(report: &FrequencyReport) -> String {
     let values = report.frequency.iter().zip(&report.gain).zip(&report.phase);
     let row = |((frequency, gain), phase): ((&f64, &f64), &f64)| [frequency, gain, phase].map(f64::to_string);
     csv(["frequency [rad/s]", gain.as_str(), "phase [rad]"], values.map(row))
+}
+
+pub fn measures(measures: &[MeasureReport]) -> String {
+    let row = |m: &MeasureReport| {
+        let value = m.value.map_or_else(String::new, measured);
+        [m.key.clone(), m.name.clone(), m.unit.to_owned(), value, m.absent.clone().unwrap_or_default()]
+    };
+    csv(["key", "name", "unit", "value", "absent"], measures.iter().map(row))
+}
+
+/// A number with every digit, or the key of a verdict.
+fn measured(value: MeasureValue) -> String {
+    match value {
+        MeasureValue::Number(x) => x.to_string(),
+        MeasureValue::Verdict(key) => key.to_owned(),
+    }
+}
+
+/// A row for each point, with a column for each measure.
+pub fn measured_sweep(report: &SweepReport) -> String {
+    let columns = report.measures.iter().map(|measure| heading(&measure.key, measure.unit));
+    let head: Vec<String> = std::iter::once(heading(report.parameter, report.unit)).chain(columns).collect();
+    let rows = report.points.iter().map(|point| {
+        let values = point.measures.iter().map(|value| value.map_or_else(String::new, measured));
+        std::iter::once(point.value.to_string()).chain(values).collect::<Vec<_>>()
+    });
+    records(head, rows)
 }
 
 /// A row for each point and mode: modes come and go along a sweep, so they are no columns. What stands between the plane and the

@@ -62,6 +62,14 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::parameters(&parameters),
             }
         }
+        Command::Measures { subject, all, output } => {
+            let measures = export::measures_of(&Findings::of(subject.read()?), *all);
+            match output.format() {
+                Format::Table => tables::measures(&measures),
+                Format::Json => json(&measures),
+                Format::Csv => csv_output::measures(&measures),
+            }
+        }
         Command::Analyse { subject, output } => {
             let report = export::analyse(&Findings::of(subject.read()?))?;
             match output.format() {
@@ -106,14 +114,21 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::frequency(&report),
             }
         }
-        Command::Sweep { subject, parameter, from, to, points, output } => {
-            let request =
-                SweepRequest { parameter: parameter.clone(), from: *from, to: *to, points: *points };
+        Command::Sweep { subject, parameter, from, to, points, measures, output } => {
+            let request = SweepRequest {
+                parameter: parameter.clone(),
+                from: *from,
+                to: *to,
+                points: *points,
+                measures: measures.clone(),
+            };
             let report = swept(Sweep::new(subject.read()?, &request)?);
             match output.format() {
-                Format::Table => tables::sweep(&report),
+                Format::Table if measures.is_empty() => tables::sweep(&report),
+                Format::Table => tables::measured_sweep(&report),
                 Format::Json => json(&report),
-                Format::Csv => csv_output::sweep(&report),
+                Format::Csv if measures.is_empty() => csv_output::sweep(&report),
+                Format::Csv => csv_output::measured_sweep(&report),
             }
         }
     })

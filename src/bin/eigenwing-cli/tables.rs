@@ -2,8 +2,8 @@
 
 use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
 use eigenwing::export::{
-    AircraftReport, ParameterReport, PlaneOutcome, PlaneReport, Report, StiffnessReport, SweepChange,
-    SweepPlane, SweepReport, ValueReport,
+    AircraftReport, MeasureReport, MeasureValue, ParameterReport, PlaneOutcome, PlaneReport, Report,
+    StiffnessReport, SweepChange, SweepPlane, SweepReport, ValueReport,
 };
 use eigenwing::number::significant;
 
@@ -79,6 +79,34 @@ pub fn parameters(parameters: &[ParameterReport]) -> String {
         ]
     };
     table(3, &["key", "parameter", "unit", "value", "slider from", "to"], parameters.iter().map(row))
+}
+
+pub fn measures(measures: &[MeasureReport]) -> String {
+    let row = |m: &MeasureReport| {
+        let value = m.absent.clone().unwrap_or_else(|| m.value.map_or_else(String::new, measured));
+        vec![m.key.clone(), m.name.clone(), m.unit.to_owned(), value]
+    };
+    table(3, &["key", "measure", "unit", "value"], measures.iter().map(row))
+}
+
+/// A number with four digits, or the key of a verdict.
+fn measured(value: MeasureValue) -> String {
+    match value {
+        MeasureValue::Number(x) => number(x),
+        MeasureValue::Verdict(key) => key.to_owned(),
+    }
+}
+
+/// A sweep with a column for each measure.
+pub fn measured_sweep(report: &SweepReport) -> String {
+    let columns = report.measures.iter().map(|measure| heading(&measure.key, measure.unit));
+    let head: Vec<String> = std::iter::once(heading(report.parameter, report.unit)).chain(columns).collect();
+    let head: Vec<&str> = head.iter().map(String::as_str).collect();
+    let rows = report.points.iter().map(|point| {
+        let values = point.measures.iter().map(|value| value.map_or_else(String::new, measured));
+        std::iter::once(number(point.value)).chain(values).collect()
+    });
+    format!("{}\n{}", report.aircraft.name, table(0, &head, rows))
 }
 
 pub fn analysis(report: &Report) -> String {

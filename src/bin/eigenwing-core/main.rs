@@ -1,4 +1,4 @@
-//! The core as a JavaScript module: `list`, `parameters`, `analyse`, `respond`, `frequency` and `sweep` on plain objects.
+//! The core as a JavaScript module: `list`, `parameters`, `measures`, `analyse`, `respond`, `frequency` and `sweep` on plain objects.
 //!
 //! `cargo xtask build` makes `dist/core/eigenwing-core.js`, its `.wasm` and its types; `docs/JAVASCRIPT.md` shows how to use them.
 //! Requests and answers go through JSON, which keeps every bit of a number.
@@ -29,6 +29,14 @@ mod exports {
         #[wasm_bindgen(unchecked_param_type = "Subject")] request: JsValue,
     ) -> Result<JsValue, JsValue> {
         read(json::parameters(&written(&request)?))
+    }
+
+    /// What can be read of an aircraft, by key.
+    #[wasm_bindgen(unchecked_return_type = "Measure[]")]
+    pub fn measures(
+        #[wasm_bindgen(unchecked_param_type = "Subject")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::measures(&written(&request)?))
     }
 
     /// Everything that follows for an aircraft: matrices, eigenvalues, named modes, verdicts, approximations.

@@ -218,6 +218,33 @@ export type LevelKey = "level-1" | "level-2" | "level-3" | "worse-than-level-3";
 
 export type MatrixFormat = "json" | "csv" | "m";
 
+/** A measure as it reads on an aircraft. */
+export type Measure = {
+  /** Its key. */
+  key: string,
+  /** Name in words. */
+  name: string,
+  /** SI unit of the number; empty for a ratio or a verdict. */
+  unit: string,
+  /** A number in SI, or the key of a verdict; null where there is nothing to read. */
+  value: MeasureValue | null,
+  /** The reason why there is nothing to read. */
+  absent: string | null,
+};
+
+/** A measure that is read at every point of a sweep. */
+export type MeasureColumn = {
+  /** Its key. */
+  key: string,
+  /** Name in words. */
+  name: string,
+  /** SI unit of its numbers; empty for a ratio or a verdict. */
+  unit: string,
+};
+
+/** A number in SI, or the key of a verdict. */
+export type MeasureValue = number | string;
+
 /** A quantity and its unit. */
 export type Measured = {
   /** Its key. */
@@ -549,6 +576,8 @@ export type Sweep = {
   parameter: string,
   /** Its SI unit: that of `value`, `between` and `at`. */
   unit: string,
+  /** The measures that were asked for, with the SI unit of each number, in the order of `measures` at every point. */
+  measures: Array<MeasureColumn>,
   /** The points in order. */
   points: Array<SweepPoint>,
   /** Changes of a verdict, with their places. */
@@ -611,6 +640,8 @@ export type SweepPoint = {
   lateral: SweepPlane | null,
   /** Reason why a plane with data has no modes here. */
   error: string | null,
+  /** What the measures read here; null where there is nothing to read. */
+  measures: Array<MeasureValue | null>,
 };
 
 /** A parameter, and the values that it goes through. */
@@ -623,6 +654,8 @@ export type SweepRequest = {
   to: number,
   /** Number of values, both ends among them. */
   points?: number,
+  /** Keys of measures that are read at every point. */
+  measures?: Array<string>,
 };
 
 /** A steady flight. */

@@ -189,10 +189,8 @@ impl Measure {
             },
             Self::OfPlane(_, quantity) => match quantity {
                 PlaneQuantity::Oscillations => Dimension::Count,
-                // det A is told without its unit, 1/s⁴, by its sign
-                PlaneQuantity::Stability | PlaneQuantity::StaticStability | PlaneQuantity::Determinant => {
-                    Dimension::Number
-                }
+                PlaneQuantity::Determinant => Dimension::PerSecondFourth,
+                PlaneQuantity::Stability | PlaneQuantity::StaticStability => Dimension::Number,
             },
             Self::OfAircraft(quantity) => match quantity {
                 AircraftQuantity::StaticMargin | AircraftQuantity::ManoeuvreMargin => Dimension::Percent,
