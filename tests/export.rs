@@ -174,7 +174,13 @@ fn what_has_a_name_has_a_key_beside_it() {
     assert_eq!((approximation.key, approximation.mode_key), ("dutch-roll-two-states", "dutch-roll"));
     let sweep = Sweep::new(
         Subject::listed("navion").scenario().expect("it flies"),
-        &SweepRequest { parameter: "cm_alpha".to_owned(), from: -0.8, to: -0.4, points: 2 },
+        &SweepRequest {
+            parameter: "cm_alpha".to_owned(),
+            from: -0.8,
+            to: -0.4,
+            points: 2,
+            measures: Vec::new(),
+        },
     );
     let points = sweep.expect("a sweep").report().points;
     let first = points[0].longitudinal.as_ref().expect("its plane").modes[0];
@@ -212,7 +218,8 @@ fn each_parameter_set_together_with_what_follows_from_it_ends_at_its_value() {
 
 #[test]
 fn a_sweep_finds_the_static_boundary_where_the_determinant_is_zero() {
-    let request = SweepRequest { parameter: "a_qw".to_owned(), from: -0.2, to: 0.13, points: 12 };
+    let request =
+        SweepRequest { parameter: "a_qw".to_owned(), from: -0.2, to: 0.13, points: 12, measures: Vec::new() };
     let sweep = Sweep::new(navion(), &request).expect("a sweep");
     let change = &sweep.report().changes[0];
     assert_eq!((change.plane, change.stability), ("longitudinal", "static"));
@@ -227,7 +234,8 @@ fn a_sweep_finds_the_static_boundary_where_the_determinant_is_zero() {
 
 #[test]
 fn a_sweep_has_both_its_ends_and_leaves_out_the_plane_that_does_not_move() {
-    let request = SweepRequest { parameter: "cn_r".to_owned(), from: -0.4, to: -0.1, points: 4 };
+    let request =
+        SweepRequest { parameter: "cn_r".to_owned(), from: -0.4, to: -0.1, points: 4, measures: Vec::new() };
     let report = Sweep::new(navion(), &request).expect("a sweep").report();
     let values: Vec<f64> = report.points.iter().map(|point| point.value).collect();
     assert_eq!((values[0], values[3], values.len()), (-0.4, -0.1, 4));
