@@ -25,7 +25,7 @@ use eigenwing::flight::verdicts::handling_qualities::handling_qualities;
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class};
 use eigenwing::flight::verdicts::static_stability::plane_static_stability;
 use eigenwing::flight::{Channel, Experiment, Start, analyse};
-use eigenwing::scenario::{Page, Scenario};
+use eigenwing::scenario::{Page, Parameter, Scenario};
 use nalgebra::{Complex, Matrix4, Matrix4x2, Vector4};
 
 const GRID: TimeGrid = TimeGrid { duration: 60.0, steps: 1200 };
@@ -78,8 +78,22 @@ fn whole(criterion: &mut Criterion) {
             BatchSize::SmallInput,
         );
     });
+    // The path that a slider of a coefficient would send the poles along: coefficients, derivatives, A and its roots, 200 times.
+    let findings = Findings::of(scenario.clone());
+    for key in ["cm_alpha", "cl_alpha", "speed"] {
+        let Some(parameter) = Parameter::find(key) else { continue };
+        criterion.bench_function(&format!("navion/locus_200_{key}"), |bench| {
+            bench.iter_batched(
+                || Findings::of(scenario.clone()),
+                |findings| findings.locus(parameter).evaluations,
+                BatchSize::SmallInput,
+            );
+        });
+        if findings.locus(parameter).evaluations < 100 {
+            eprintln!("{key}: only {} points", findings.locus(parameter).evaluations);
+        }
+    }
     // A pole under the hand, by the way through coefficients: near, and far beyond what the sliders can do.
-    let findings = Findings::of(scenario);
     let Some(mode) = findings.modes().first() else { return };
     for (name, turn) in [("near", Complex::new(1.1, 0.05)), ("beyond", Complex::new(4.0, 1.0))] {
         criterion.bench_function(&format!("navion/drag_a_pole_{name}"), |bench| {

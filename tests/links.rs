@@ -13,6 +13,7 @@ use eigenwing::scenario::view::{
     Camera, Details, FlightView, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
 use eigenwing::scenario::{Dimension, Page, Parameter, Quantity, Scenario, Source, parameters};
+use eigenwing::words;
 use proptest::prelude::*;
 use proptest::sample::Index;
 
@@ -416,6 +417,11 @@ fn corpus() -> Vec<Line> {
         .collect()
 }
 
+/// A disturbance by the words that it had when the list of links began.
+fn as_ever(choice: &str) -> &str {
+    if choice == "Initial state" { "Released from" } else { choice }
+}
+
 fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
     let pinned = key.strip_prefix("pin.");
     let scenario = match pinned {
@@ -425,7 +431,7 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
     let of_plane = |plane| {
         format!(
             "{} of {}",
-            scenario.disturbance.choices[plane].text(),
+            as_ever(&words::disturbance::choice(&scenario.disturbance.choices[plane])),
             scenario.disturbance.choices[plane].mode + 1
         )
     };
@@ -437,7 +443,7 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
         "category" => scenario.task.map_or("none", |task| task.category.key()).to_owned(),
         "lon" => of_plane(Plane::Longitudinal),
         "lat" => of_plane(Plane::Lateral),
-        "page" => opened.view.page.text().to_owned(),
+        "page" => words::sliders::page(opened.view.page).to_owned(),
         "tab" => match response.tab {
             // As the link has always called it.
             Tab::Metrics => "Figures".to_owned(),

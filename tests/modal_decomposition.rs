@@ -42,8 +42,11 @@ fn for_every_motion(mut check: impl FnMut(&str, &Motion, &[Mode])) {
                     else {
                         continue;
                     };
-                    let name =
-                        format!("{} {}", aircraft.aircraft.key, scenario.disturbance.choices[plane].text());
+                    let name = format!(
+                        "{} {}",
+                        aircraft.aircraft.key,
+                        words::disturbance::choice(&scenario.disturbance.choices[plane])
+                    );
                     check(&name, motion, &analysed.modes);
                 }
             }

@@ -17,6 +17,7 @@ use eigenwing::flight::motion::response_metrics::{
     control_anticipation, peak, phugoid_swing, root_mean_square, steady_output, step_metrics, time_to_bank,
 };
 use eigenwing::scenario::{START, Scenario, Shape, Source};
+use eigenwing::words;
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 fn scenario(key: &str, plane: Plane, source: Source, shape: Shape) -> Scenario {
@@ -467,7 +468,7 @@ fn twice_the_disturbance_is_twice_the_motion() {
             let (twice, _) = motion(&scenario);
             for &output in Output::of(plane) {
                 let doubled: Vec<f64> = once.values(output).iter().map(|x| 2.0 * x).collect();
-                assert_near(&twice.values(output), &doubled, 1e-9, source.text());
+                assert_near(&twice.values(output), &doubled, 1e-9, words::disturbance::source(source));
             }
         }
     }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use eigenwing::content::embedded_aircraft;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::scenario::{Page, Parameter, Scenario, Source, ValueError, parameters};
+use eigenwing::words;
 
 fn scenarios() -> Vec<Scenario> {
     embedded_aircraft().0.into_iter().map(|aircraft| Scenario::new(Arc::new(aircraft))).collect()
@@ -102,7 +103,8 @@ fn every_disturbance_of_every_aircraft_has_a_response() {
                         *edited.disturbance.choices[plane].shape_mut() = shape;
                     }
                     let choice = edited.disturbance.choices[plane];
-                    assert_eq!(has_finite_motion(&edited, &choice.text()), has_data, "{}", choice.text());
+                    let name = words::disturbance::choice(&choice);
+                    assert_eq!(has_finite_motion(&edited, &name), has_data, "{name}");
                     for key in choice.parameters(plane) {
                         assert!(Parameter::find(key).is_some(), "{key}");
                     }

@@ -33,7 +33,7 @@ fn every_parameter_of_every_page_and_plane_has_a_slider_and_a_field_by_name() {
         harness.run();
         assert_eq!(app(&harness).scenario().plane, plane);
         for page in Page::ALL {
-            harness.get_by_label(page.text()).click();
+            harness.get_by_label(words::sliders::page(page)).click();
             harness.run();
             let rows = rows(&harness, page);
             assert!(rows.len() >= 15, "{page:?} {plane:?}");
@@ -78,7 +78,7 @@ fn an_arrow_key_moves_a_slider_and_the_poles_in_the_same_frame() {
 fn every_slider_can_be_taken_to_both_ends_by_keyboard() {
     for (size, page_of) in [(WIDE, Page::Coefficients), (TABLET, Page::Matrix)] {
         let mut harness = page(size);
-        harness.get_by_label(page_of.text()).click();
+        harness.get_by_label(words::sliders::page(page_of)).click();
         harness.run();
         for p in rows(&harness, page_of) {
             let start = format!("{} ", p.name);

@@ -25,7 +25,7 @@ fn each_disturbance_can_be_chosen_and_sized() {
         ("Vertical gust", Some("1 − cosine"), "speed of the rising air in m/s"),
         ("Head gust", Some("step"), "speed of the air from ahead in m/s"),
         ("Turbulence", None, "strength of the turbulence in m/s"),
-        ("Released from", None, "pitch rate at release in deg/s"),
+        ("Initial state", None, "pitch rate at release in deg/s"),
         ("One mode", None, "size of the mode in deg"),
         ("Elevator", Some("step"), "factor on the disturbance"),
     ] {

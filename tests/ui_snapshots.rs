@@ -153,22 +153,22 @@ fn window(page: &Page) -> Rect {
 /// A pane that reaches down to the end of the window, with the ground around it.
 fn pane(page: &Page, heading: &str, name: &str) -> Rect {
     let heading = page.get_by_role_and_label(Role::Heading, heading).rect();
-    let corner = page.get_by_label(&format!("{name} alone beside the sliders")).rect();
+    let corner = page.get_by_label(&format!("Maximise the {name}")).rect();
     let top_left = Pos2::new(heading.left() - 12.0, corner.top() - 5.0);
     let top_right = Pos2::new(corner.right() + 8.0, top_left.y);
     Rect::from_two_pos(top_left, top_right).expand(GAP).with_max_y(window(page).bottom())
 }
 
 fn poles(page: &Page) -> Rect {
-    pane(page, "Pole map", "Pole map")
+    pane(page, "Pole map", "pole map")
 }
 
 fn responses(page: &Page) -> Rect {
-    pane(page, "Response to", "Response")
+    pane(page, "Response to", "response")
 }
 
 fn aircraft(page: &Page) -> Rect {
-    pane(page, "Aircraft", "Aircraft")
+    pane(page, "Aircraft", "aircraft")
 }
 
 fn modes(page: &Page) -> Rect {

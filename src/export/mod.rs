@@ -64,7 +64,7 @@ pub fn state(findings: &Findings) -> Value {
     json!({
         "aircraft": scenario.aircraft.key,
         "plane": scenario.plane.key(),
-        "disturbance": choice.text(),
+        "disturbance": words::disturbance::choice(choice),
         "disturbance_key": choice.source.key(),
         "shape_key": choice.shape().map(Keyed::key),
         "parameters": parameters,

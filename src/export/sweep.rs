@@ -291,7 +291,7 @@ impl Sweep {
             if let Some((value, from)) = before.filter(|(_, from)| *from != to) {
                 let between = [value, point.value];
                 let at = self.boundary(plane, kind, from, between);
-                let stability = kind.text();
+                let stability = kind.key();
                 found.push(SweepChange { plane: plane.key(), stability, between, at, from, to });
             }
             before = Some((point.value, to));
@@ -348,7 +348,7 @@ pub(super) enum Verdict {
 impl Verdict {
     pub(super) const ALL: [Self; 2] = [Self::Static, Self::Dynamic];
 
-    pub(super) const fn text(self) -> &'static str {
+    pub(super) const fn key(self) -> &'static str {
         match self {
             Self::Static => "static",
             Self::Dynamic => "dynamic",

@@ -59,7 +59,7 @@ fn the_committed_types_are_those_of_the_structs() {
     types.union("ApproximationKey", keys::<ApproximationName>());
     types.union("CriterionKey", keys::<Criterion>());
     types.union("LevelKey", keys::<Level>());
-    types.union("StabilityKind", sweep::Verdict::ALL.map(sweep::Verdict::text));
+    types.union("StabilityKind", sweep::Verdict::ALL.map(sweep::Verdict::key));
 
     if std::env::var_os("UPDATE_TYPES").is_some() {
         fs::write(COMMITTED, types.text()).expect("the sources can be written to");

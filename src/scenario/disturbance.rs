@@ -165,22 +165,6 @@ impl Source {
         }
     }
 
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Elevator => "Elevator",
-            Self::Throttle => "Throttle",
-            Self::VerticalGust => "Vertical gust",
-            Self::HeadGust => "Head gust",
-            Self::Aileron => "Aileron",
-            Self::Rudder => "Rudder",
-            Self::SideGust => "Side gust",
-            Self::Turbulence => "Turbulence",
-            Self::Release => "Released from",
-            Self::OneMode => "One mode",
-        }
-    }
-
     /// The shapes that it can have; none where it has a shape of its own.
     pub const fn shapes(self) -> &'static [Shape] {
         match self {
@@ -211,19 +195,6 @@ impl Source {
 }
 
 impl Shape {
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Step => "step",
-            Self::Pulse => "pulse",
-            Self::Doublet => "doublet",
-            Self::ThreeTwoOneOne => "3-2-1-1",
-            Self::Sine => "sine",
-            Self::Sweep => "sweep",
-            Self::OneMinusCosine => "1 − cosine",
-        }
-    }
-
     const fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Step => &[],
@@ -252,14 +223,6 @@ impl Choice {
             &mut self.gust_shape
         } else {
             &mut self.control_shape
-        }
-    }
-
-    /// The words on screen: "Elevator step".
-    pub fn text(&self) -> String {
-        match self.shape() {
-            Some(shape) => format!("{} {}", self.source.text(), shape.text()),
-            None => self.source.text().to_owned(),
         }
     }
 

@@ -153,16 +153,6 @@ keys! {
 impl Tab {
     /// All, in the order of the page.
     pub const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Metrics];
-
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Time => "Time",
-            Self::Phase => "Phase",
-            Self::Frequency => "Frequency",
-            Self::Metrics => "Numbers",
-        }
-    }
 }
 
 /// How the aircraft in flight is shown.

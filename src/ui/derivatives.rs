@@ -18,6 +18,7 @@ use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Page, Parameter, Scenario, parameters};
+use crate::words;
 
 const SYMBOL_WIDTH: f32 = 52.0;
 const FIELD_WIDTH: f32 = 68.0;
@@ -70,7 +71,7 @@ pub fn derivatives_ui(
         ui.spacing_mut().button_padding.x = 7.0;
         ui.spacing_mut().item_spacing.x = 2.0;
         for other in Page::ALL.into_iter().filter(|page| page.is_of(scenario)) {
-            ui.selectable_value(page, other, other.text());
+            ui.selectable_value(page, other, words::sliders::page(other));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let reset = Button::new(RichText::new("Reset all").font(theme::small()));
@@ -189,12 +190,12 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
     ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
         ui.spacing_mut().button_padding.y = 0.0;
         theme::make_low(ui, 16.0);
-        let title = RichText::new(group.text()).font(theme::semibold(theme::sizes(ui).small));
+        let title = RichText::new(words::sliders::group(group)).font(theme::semibold(theme::sizes(ui).small));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
         let edited = rows.iter().any(|parameter| parameter.is_edited(scenario));
         if edited {
             let reset = theme::bare_button(ui, true, Button::new(RichText::new("↺").font(theme::small())));
-            let reset = reset.accessible_name(format!("Reset the group {}", group.text()));
+            let reset = reset.accessible_name(format!("Reset the group {}", words::sliders::group(group)));
             if reset.on_hover_text("All of this group back to the reference").clicked() {
                 for parameter in rows {
                     parameter.reset(scenario);

@@ -6,15 +6,6 @@ use super::theme::{self, Palette};
 use crate::scenario::view::Pane;
 
 impl Pane {
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Poles => "Pole map",
-            Self::Aircraft => "Aircraft",
-            Self::Response => "Response",
-        }
-    }
-
     /// The key of the keyboard that maximises it, as shown.
     pub fn shortcut(self) -> &'static str {
         let of_pane = SHORTCUTS.iter().find(|shortcut| shortcut.command == Command::Maximise(self));

@@ -1,4 +1,4 @@
-//! Words for what follows: every sentence that a person reads of a mode, a verdict or an error is made here.
+//! Words for what follows: every name and sentence that a person reads of a mode, a verdict, a disturbance or an error is made here.
 //!
 //! The mathematics gives data (a name, a fact, a limit and the value beside it), and here each becomes a whole phrase, chosen by
 //! `match`: none is made by cutting, joining or changing the case of another. Where the same thing is called differently at the
@@ -7,6 +7,7 @@
 //! | module | words for |
 //! |---|---|
 //! | [`approximation`] | textbook approximations |
+//! | [`disturbance`] | disturbances and their shapes |
 //! | `errors` | why something can't be had: `Display` of the errors |
 //! | [`metrics`] | metrics of a motion as a whole |
 //! | [`measure`] | what can be read of a scenario, and why it can't |
@@ -15,11 +16,14 @@
 //! | `notice` | what was left out of a link |
 //! | `placement` | why a dragged pole stops |
 //! | [`refusal`] | why a typed value was refused |
+//! | [`sliders`] | pages and groups of sliders |
 //! | [`stability`] | the verdicts on a plane as a whole |
 //! | [`status`] | how far the numbers can be trusted |
 //! | [`verdict`] | levels of handling qualities and their verdicts |
+//! | [`view`] | parts of the page |
 
 pub mod approximation;
+pub mod disturbance;
 mod errors;
 pub mod measure;
 pub mod metrics;
@@ -28,6 +32,8 @@ pub mod naming;
 mod notice;
 mod placement;
 pub mod refusal;
+pub mod sliders;
 pub mod stability;
 pub mod status;
 pub mod verdict;
+pub mod view;

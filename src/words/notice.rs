@@ -2,6 +2,7 @@
 
 use std::fmt::{Display, Formatter, Result};
 
+use super::sliders;
 use crate::scenario::link::{LONGEST, Notice};
 
 impl Display for Notice {
@@ -44,6 +45,7 @@ impl Display for Notice {
                 write!(f, "Lateral motion was left out: {aircraft} has no data for it.")
             }
             Self::Page { page, aircraft } => {
+                let page = sliders::page(*page);
                 write!(f, "The page “{page}” was left out: {aircraft} doesn't have it.")
             }
         }

@@ -1,6 +1,6 @@
 //! What was left out of a link, in sentences for the person who opened it.
 
-use super::super::{Parameter, ValueError};
+use super::super::{Page, Parameter, ValueError};
 use crate::content::Aircraft;
 
 /// Something of a link that could not be used.
@@ -74,8 +74,8 @@ pub enum Notice {
     },
     /// A page of sliders that the aircraft doesn't have.
     Page {
-        /// The words of the page.
-        page: &'static str,
+        /// The page.
+        page: Page,
         /// Name of the aircraft.
         aircraft: String,
     },

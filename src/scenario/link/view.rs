@@ -79,7 +79,7 @@ impl View {
                 view.page = page;
             } else {
                 let aircraft = scenario.aircraft.name.clone();
-                pieces.notices.push(Notice::Page { page: page.text(), aircraft });
+                pieces.notices.push(Notice::Page { page, aircraft });
             }
         }
         let response = &mut view.response;

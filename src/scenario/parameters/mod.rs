@@ -62,15 +62,6 @@ impl Page {
     pub fn of(scenario: &Scenario) -> Self {
         Self::ALL.into_iter().find(|page| page.is_of(scenario)).unwrap_or(Self::Matrix)
     }
-
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Coefficients => "Coefficients",
-            Self::Dimensional => "Dimensional",
-            Self::Matrix => "Matrix",
-        }
-    }
 }
 
 /// Variable that a parameter multiplies, or subject that it belongs to.
@@ -127,27 +118,6 @@ impl Group {
         Self::Rudder,
         Self::Mach,
     ];
-
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Aircraft => "Aircraft and flight condition",
-            Self::Speed => "Speed",
-            Self::AngleOfAttack => "Angle of attack",
-            Self::AngleOfAttackRate => "Rate of angle of attack",
-            Self::PitchRate => "Pitch rate",
-            Self::Sideslip => "Sideslip",
-            Self::RollRate => "Roll rate",
-            Self::YawRate => "Yaw rate",
-            Self::Attitude => "Gravity",
-            Self::Elevator => "Elevator",
-            Self::Throttle => "Throttle",
-            Self::Aileron => "Aileron",
-            Self::Rudder => "Rudder",
-            Self::Mach => "Mach number",
-            Self::Disturbance => "Disturbance",
-        }
-    }
 }
 
 /// Place of a parameter in the scenario.

@@ -1,35 +1,14 @@
-//! What a camera sees, and the words of the standard views.
+//! What a camera sees.
 
 use egui::{Pos2, Rect};
 
-use crate::scenario::view::{Camera, StandardView};
+use crate::scenario::view::Camera;
 use crate::shape::Point;
 
 /// Half of the angle of view, up and down \[rad\].
 const HALF_VIEW: f32 = 0.30;
 /// The aircraft stands below the middle of the pane by this part of its height, so that there is sky.
 const LOWERED: f32 = 0.07;
-impl StandardView {
-    /// The word on its button.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::ThreeQuarter => "3/4",
-            Self::Chase => "Chase",
-            Self::Side => "Side",
-            Self::Top => "Top",
-        }
-    }
-
-    /// What it is called where its button can't be seen.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::ThreeQuarter => "Three-quarter view",
-            Self::Chase => "View from behind",
-            Self::Side => "View from the right",
-            Self::Top => "View from above",
-        }
-    }
-}
 
 impl Camera {
     /// What it sees in a pane: an aircraft of a radius \[m\], and a point to look at in Earth axes from the aircraft.
@@ -97,6 +76,7 @@ impl Lens {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::view::StandardView;
 
     fn lens(view: StandardView) -> Lens {
         let pane = Rect::from_min_size(Pos2::ZERO, egui::vec2(600.0, 400.0));

@@ -16,6 +16,7 @@ use crate::scenario::view::{Camera, FlightView, StandardView};
 use crate::shape::Point;
 use crate::ui::theme::{self, Palette};
 use crate::ui::{arrow_keys, finger};
+use crate::words;
 
 /// A drag over this many points turns the camera by 1 rad.
 const DRAG: f32 = 160.0;
@@ -53,8 +54,9 @@ impl AircraftView {
             ui.style_mut().override_font_id = Some(theme::small());
             for view in StandardView::ALL {
                 let is_on = *camera == view.camera();
-                let response = ui.selectable_label(is_on, view.text());
-                if response.accessible_name(view.name()).on_hover_text(view.name()).clicked() {
+                let response = ui.selectable_label(is_on, words::view::standard_view(view));
+                let name = words::view::standard_view_in_words(view);
+                if response.accessible_name(name).on_hover_text(name).clicked() {
                     *camera = view.camera();
                 }
             }

@@ -9,6 +9,7 @@ use crate::scenario::view::Pane;
 use crate::ui::derivatives::Rows;
 use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// From this width on two panes of a tablet stand beside each other.
 const BESIDE: f32 = 560.0;
@@ -190,9 +191,9 @@ impl App {
         });
         let maximised = self.view.maximised == Some(pane);
         let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
-        let name = format!("{} alone beside the sliders", pane.text());
+        let name = words::view::maximise(pane);
         let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
-        let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(&name);
+        let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(name);
         let hover = if maximised {
             "Back to its place (Esc)".to_owned()
         } else {

@@ -36,11 +36,11 @@ fn follow_ui(ui: &mut Ui, scenario: &mut Scenario) {
 }
 
 fn source_ui(ui: &mut Ui, choice: &mut Choice, sources: &[Source]) {
-    let text = choice.source.text();
+    let text = words::disturbance::source(choice.source);
     let chooser = ComboBox::from_id_salt("disturbance").selected_text(text).width(106.0);
     let chooser = chooser.show_ui(ui, |ui| {
         for &source in sources {
-            if ui.selectable_label(choice.source == source, source.text()).clicked() {
+            if ui.selectable_label(choice.source == source, words::disturbance::source(source)).clicked() {
                 choice.source = source;
                 ui.close();
             }
@@ -51,16 +51,16 @@ fn source_ui(ui: &mut Ui, choice: &mut Choice, sources: &[Source]) {
 
 fn shape_ui(ui: &mut Ui, choice: &mut Choice) {
     let Some(shape) = choice.shape() else { return };
-    let chooser = ComboBox::from_id_salt("shape").selected_text(shape.text()).width(82.0);
+    let chooser = ComboBox::from_id_salt("shape").selected_text(words::disturbance::shape(shape)).width(82.0);
     let chooser = chooser.show_ui(ui, |ui| {
         for &other in choice.source.shapes() {
-            if ui.selectable_label(shape == other, other.text()).clicked() {
+            if ui.selectable_label(shape == other, words::disturbance::shape(other)).clicked() {
                 *choice.shape_mut() = other;
                 ui.close();
             }
         }
     });
-    theme::name_chooser(chooser, "Shape of the disturbance", shape.text());
+    theme::name_chooser(chooser, "Shape of the disturbance", words::disturbance::shape(shape));
 }
 
 fn mode_ui(ui: &mut Ui, choice: &mut Choice, modes: &[Mode]) {

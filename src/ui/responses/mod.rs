@@ -22,6 +22,7 @@ use crate::flight::motion::outputs::Output;
 use crate::number::significant;
 use crate::scenario::view::{ResponseView, Tab};
 use crate::scenario::{Quantity, Scenario};
+use crate::words;
 
 /// The plots as they are on screen: how a person has set them up is in [`ResponseView`].
 #[derive(Debug, Default)]
@@ -49,7 +50,7 @@ impl Responses {
         });
         ui.horizontal_wrapped(|ui| {
             for tab in Tab::ALL {
-                ui.selectable_value(&mut view.tab, tab, tab.text());
+                ui.selectable_value(&mut view.tab, tab, words::view::tab(tab));
             }
             ui.add_space(8.0);
             match view.tab {

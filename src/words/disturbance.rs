@@ -1,0 +1,40 @@
+//! Disturbances: what moves, in which shape.
+
+use crate::scenario::{Choice, Shape, Source};
+
+/// What disturbs the aircraft.
+pub const fn source(source: Source) -> &'static str {
+    match source {
+        Source::Elevator => "Elevator",
+        Source::Throttle => "Throttle",
+        Source::VerticalGust => "Vertical gust",
+        Source::HeadGust => "Head gust",
+        Source::Aileron => "Aileron",
+        Source::Rudder => "Rudder",
+        Source::SideGust => "Side gust",
+        Source::Turbulence => "Turbulence",
+        Source::Release => "Initial state",
+        Source::OneMode => "One mode",
+    }
+}
+
+/// The shape of a control or gust in time.
+pub const fn shape(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Step => "step",
+        Shape::Pulse => "pulse",
+        Shape::Doublet => "doublet",
+        Shape::ThreeTwoOneOne => "3-2-1-1",
+        Shape::Sine => "sine",
+        Shape::Sweep => "sweep",
+        Shape::OneMinusCosine => "1 − cosine",
+    }
+}
+
+/// A disturbance with its shape: "Elevator step".
+pub fn choice(choice: &Choice) -> String {
+    match choice.shape() {
+        Some(of) => format!("{} {}", source(choice.source), shape(of)),
+        None => source(choice.source).to_owned(),
+    }
+}

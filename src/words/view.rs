@@ -1,0 +1,42 @@
+//! Parts of the page.
+
+use crate::scenario::view::{Pane, StandardView, Tab};
+
+/// A tab of the responses.
+pub const fn tab(tab: Tab) -> &'static str {
+    match tab {
+        Tab::Time => "Time",
+        Tab::Phase => "Phase",
+        Tab::Frequency => "Frequency",
+        Tab::Metrics => "Numbers",
+    }
+}
+
+/// What the button of a pane does.
+pub const fn maximise(pane: Pane) -> &'static str {
+    match pane {
+        Pane::Poles => "Maximise the pole map",
+        Pane::Aircraft => "Maximise the aircraft",
+        Pane::Response => "Maximise the response",
+    }
+}
+
+/// A standard view as its button has it.
+pub const fn standard_view(view: StandardView) -> &'static str {
+    match view {
+        StandardView::ThreeQuarter => "3/4",
+        StandardView::Chase => "Chase",
+        StandardView::Side => "Side",
+        StandardView::Top => "Top",
+    }
+}
+
+/// A standard view where its button can't be seen.
+pub const fn standard_view_in_words(view: StandardView) -> &'static str {
+    match view {
+        StandardView::ThreeQuarter => "Three-quarter view",
+        StandardView::Chase => "View from behind",
+        StandardView::Side => "View from the right",
+        StandardView::Top => "View from above",
+    }
+}
