@@ -24,6 +24,7 @@ use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 use eigenwing::flight::verdicts::handling_qualities::handling_qualities;
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class};
 use eigenwing::flight::verdicts::static_stability::plane_static_stability;
+use eigenwing::flight::verdicts::task::Task;
 use eigenwing::flight::{Channel, Experiment, Start, analyse};
 use eigenwing::scenario::{Page, Parameter, Scenario};
 use nalgebra::{Complex, Matrix4, Matrix4x2, Vector4};
@@ -148,7 +149,11 @@ fn parts(criterion: &mut Criterion) {
             drop(black_box(approximations(black_box(&stability_axes), DownwashLag::default(), &found)))
         });
         bench("handling_qualities", &|| {
-            drop(black_box(handling_qualities(black_box(model), &found, Class::I, Category::B)));
+            drop(black_box(handling_qualities(
+                black_box(model),
+                &found,
+                Task { class: Class::I, category: Category::B },
+            )));
         });
         bench("static_stability", &|| {
             let _ = black_box(plane_static_stability(black_box(&stability_axes), None));

@@ -172,9 +172,7 @@ fn a_finger_on_a_pole_takes_it_whichever_way_it_goes() {
 fn on_a_phone_a_finger_going_up_on_the_map_or_a_slider_scrolls_the_sliders_and_sets_none() {
     let mut page = page(PHONE);
     let before = scenario(&page).clone();
-    let slider = |page: &Page| {
-        page.get_by_role_and_label(Role::Slider, "altitude h").rect()
-    };
+    let slider = |page: &Page| page.get_by_role_and_label(Role::Slider, "altitude h").rect();
     let (pole, place) = (on_map(&page), slider(&page));
     let spot = empty_spot(&page);
     swipe(&mut page, spot, UP);
