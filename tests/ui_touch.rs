@@ -250,3 +250,71 @@ fn why_a_number_is_refused_is_brought_into_sight() {
         assert!(panel.contains_rect(sentence), "{name}: {sentence}");
     }
 }
+
+#[test]
+fn a_tap_on_a_symbol_tells_what_it_means_and_how_it_moves_the_modes() {
+    let mut page = page(PHONE);
+    let means = "How far the centre of gravity lies behind";
+    assert_eq!(page.query_all_by_label_contains(means).count(), 0);
+    let symbol = rect(&page, "What shift of the centre of gravity Δx_cg/c means");
+    assert!(symbol.height() >= 44.0 && symbol.width() >= 44.0, "{symbol}: a finger hits it");
+    let before = scenario(&page).clone();
+    put_down(&mut page, symbol.center());
+    lift(&mut page, symbol.center());
+    page.run();
+    let card = rect(&page, means);
+    assert!(card.left() >= 0.0 && card.right() <= PHONE.x, "{card}");
+    page.get_by_label_contains("more of this:");
+    assert_eq!(scenario(&page), &before, "nothing is moved");
+    put_down(&mut page, card.center());
+    lift(&mut page, card.center());
+    page.run();
+    assert_eq!(page.query_all_by_label_contains(means).count(), 0, "another tap closes it");
+    // A number of the disturbance too.
+    page.get_by_role_and_label(Role::Button, "Response").click();
+    page.run_steps(12);
+    let symbol = rect(&page, "What elevator in deg means");
+    put_down(&mut page, symbol.center());
+    lift(&mut page, symbol.center());
+    page.run_steps(12);
+    page.get_by_label("Elevator, trailing edge down positive; at the crest of a sine.");
+}
+
+#[test]
+fn what_explains_itself_to_a_resting_mouse_does_so_to_a_finger_that_is_held() {
+    let mut page = page(PHONE);
+    turn_to(&mut page, "Modes");
+    let text = "Press to see which paragraphs of MIL-F-8785C";
+    let button = rect(&page, "Level of the short period");
+    assert_eq!(page.query_all_by_label_contains(text).count(), 0);
+    put_down(&mut page, button.center());
+    // No finger is quite still.
+    let at = button.center() + Vec2::new(0.5, 0.0);
+    page.input_mut().events.push(Event::PointerMoved(at));
+    touch(&mut page, 0, TouchPhase::Move, at);
+    page.run_steps(8);
+    assert_eq!(page.query_all_by_label_contains(text).count(), 1);
+    lift(&mut page, button.center());
+}
+
+#[test]
+fn the_sheet_of_a_phone_tells_first_what_fingers_do() {
+    let mut page = page(PHONE);
+    page.get_by_label("Help: all keys").click();
+    page.run();
+    let (fingers, keys) = (rect(&page, "By finger"), rect(&page, "Tab, Shift Tab"));
+    assert!(fingers.top() < keys.top());
+    page.get_by_label("Tap a symbol");
+}
+
+#[test]
+fn every_line_of_the_list_of_aircraft_is_whole_on_a_phone() {
+    let mut page = page(PHONE);
+    page.get_by_role_and_label(Role::ComboBox, "Aircraft").click();
+    page.run();
+    let lines: Vec<Rect> = page.get_all_by_label_contains(" · ").map(|line| line.rect()).collect();
+    assert!(lines.len() > 10, "{}", lines.len());
+    for line in lines {
+        assert!(line.left() >= 0.0 && line.right() <= PHONE.x - 8.0, "{line}");
+    }
+}

@@ -2,9 +2,10 @@
 
 use std::ops::RangeInclusive;
 
+use egui::accesskit::Role;
 use egui::{
-    Align, Button, Event, Id, Key, Layout, Modifiers, Response, RichText, ScrollArea, Sense, Stroke,
-    TextEdit, TextWrapMode, Ui, UiBuilder, Vec2,
+    Align, Button, Event, Id, Key, Layout, Modifiers, Popup, PopupCloseBehavior, Rect, Response, RichText,
+    ScrollArea, Sense, Stroke, TextEdit, TextWrapMode, Ui, UiBuilder, Vec2, WidgetInfo,
 };
 
 use super::number_field::{NumberField, number_field_ui};
@@ -13,7 +14,7 @@ use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use super::{arrow_keys, finger, influence};
 use crate::content::LengthUnit;
-use crate::findings::Findings;
+use crate::findings::{Findings, RowSensitivity};
 use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
@@ -31,6 +32,8 @@ const ROW_HEIGHT: f32 = 27.0;
 const LOW_FIELD: f32 = 22.0;
 /// Of the field below a unit.
 const LOWEST_FIELD: f32 = 13.0;
+/// Of what a tap on a symbol opens.
+const CARD_WIDTH: f32 = 420.0;
 /// Room for eight lines; a longer card scrolls.
 const HELP_HEIGHT: f32 = 168.0;
 
@@ -329,12 +332,21 @@ impl Row {
     /// How it moves each mode.
     fn bars_ui(&self, ui: &mut Ui, findings: &Findings) {
         let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
-        let page = self.parameter.page;
-        let sensitivities = page.map_or(&[][..], |page| findings.sensitivities(page));
-        if let Some(row) = sensitivities.iter().find(|row| row.key == self.parameter.key) {
+        if let Some(row) = self.sensitivity(findings) {
             influence::paint_bars(ui, row, findings.modes(), bars);
             response.on_hover_text(influence::words(row, findings.modes(), (self.in_si, self.unit)));
         }
+    }
+
+    fn sensitivity<'a>(&self, findings: &'a Findings) -> Option<&'a RowSensitivity> {
+        let sensitivities = findings.sensitivities(self.parameter.page?);
+        sensitivities.iter().find(|row| row.key == self.parameter.key)
+    }
+
+    /// How it moves each mode, in words.
+    fn influence(&self, findings: &Findings) -> Option<String> {
+        let row = self.sensitivity(findings)?;
+        Some(influence::words(row, findings.modes(), (self.in_si, self.unit)))
     }
 
     /// The way back, where the value has been edited.
@@ -373,7 +385,17 @@ fn row_ui(
         }
         theme::make_low(ui, LOW_FIELD);
         let symbol = Symbol::parse(parameter.symbol);
-        symbol_ui(ui, &symbol, theme::sizes(ui).row_symbol, palette.text, Some(SYMBOL_WIDTH));
+        let name = symbol_ui(ui, &symbol, theme::sizes(ui).row_symbol, palette.text, Some(SYMBOL_WIDTH));
+        if rows == Rows::Touch {
+            // There is no room for the card below the sliders, and no pointer that rests on the bars.
+            explained_by_tap(ui, &name, &row.name, |ui| {
+                title_ui(ui, parameter);
+                texts_ui(ui, parameter);
+                if let Some(influence) = row.influence(findings) {
+                    ui.label(prose(&influence, theme::small(), palette.text));
+                }
+            });
+        }
         let (slider, moved) = row.slider_ui(ui, scenario);
         if is_asked {
             slider.request_focus();
@@ -418,7 +440,13 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let name =
         if unit.is_empty() { parameter.name.to_owned() } else { format!("{} in {unit}", parameter.name) };
     let row = ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-        symbol_ui(ui, &symbol, theme::sizes(ui).symbol, palette.text, None);
+        let about = symbol_ui(ui, &symbol, theme::sizes(ui).symbol, palette.text, None);
+        if theme::is_for_fingers(ui) {
+            explained_by_tap(ui, &about, &name, |ui| {
+                title_ui(ui, parameter);
+                texts_ui(ui, parameter);
+            });
+        }
         let field = number_field_ui(
             ui,
             Id::unique(("disturbance", parameter.key)),
@@ -449,11 +477,34 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     }
 }
 
+/// What a tap on a symbol opens: for fingers, where a mouse would only have to rest.
+fn explained_by_tap(ui: &Ui, symbol: &Response, name: &str, card: impl FnOnce(&mut Ui)) {
+    let place = Rect::from_center_size(
+        symbol.rect.center(),
+        symbol.rect.size().max(Vec2::splat(ui.spacing().interact_size.y)),
+    );
+    let button = ui.interact(place, symbol.id.with("explained"), Sense::click());
+    let label = format!("What {name} means");
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &label));
+    theme::focus_ring(ui, &button);
+    let width = (ui.content_rect().width() - 48.0).min(CARD_WIDTH);
+    Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClick).show(|ui| {
+        ui.set_max_width(width);
+        card(ui);
+    });
+}
+
 /// The card below the sliders: what one of them means.
 pub fn help_ui(ui: &mut Ui, key: &str) {
     let Some(parameter) = Parameter::find(key) else { return };
-    let palette = Palette::of(ui);
     ui.separator();
+    title_ui(ui, parameter);
+    ScrollArea::vertical().id_salt("help").auto_shrink(false).show(ui, |ui| texts_ui(ui, parameter));
+}
+
+/// Symbol and name.
+fn title_ui(ui: &mut Ui, parameter: &Parameter) {
+    let palette = Palette::of(ui);
     let mut title = Symbol::parse(parameter.symbol).job(theme::sizes(ui).title_symbol, palette.text);
     title.append(
         &format!("  {}", parameter.name),
@@ -461,10 +512,15 @@ pub fn help_ui(ui: &mut Ui, key: &str) {
         egui::TextFormat::simple(theme::semibold(theme::sizes(ui).name), palette.text),
     );
     ui.label(title);
-    ScrollArea::vertical().id_salt("help").auto_shrink(false).show(ui, |ui| {
-        for text in [parameter.meaning, parameter.sign] {
-            ui.label(prose(text, theme::small(), palette.weak));
-        }
+}
+
+/// Meaning, sign and origin.
+fn texts_ui(ui: &mut Ui, parameter: &Parameter) {
+    let palette = Palette::of(ui);
+    for text in [parameter.meaning, parameter.sign] {
+        ui.label(prose(text, theme::small(), palette.weak));
+    }
+    if !parameter.origin.is_empty() {
         ui.label(prose(&format!("From: {}", parameter.origin), theme::small(), palette.weak));
-    });
+    }
 }

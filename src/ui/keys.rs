@@ -89,6 +89,17 @@ const OF_CONTROLS: [(&str, &str); 11] = [
     ("Double click", "On the heading of a pane: maximise it, or restore it"),
 ];
 
+/// What fingers do, where there may be no keyboard.
+const BY_FINGER: [(&str, &str); 7] = [
+    ("Tap a symbol", "What it means, and how it moves the modes"),
+    ("Hold", "On a button, a chip or a number: what it means"),
+    ("Sideways", "On a slider or a plot: moves it; on the aircraft: turns it"),
+    ("Up, down", "Scrolls, wherever the finger is"),
+    ("On a pole", "Moves it, whichever way the finger goes; a tap tells of it"),
+    ("Two fingers", "On the pole map or the aircraft: move it, nearer or farther"),
+    ("Double tap", "On a slider: back to its reference"),
+];
+
 /// On a narrower page the sheet has one column.
 const NARROW: f32 = 520.0;
 
@@ -121,11 +132,15 @@ pub fn sheet_ui(ui: &Ui) -> bool {
     let frame = egui::Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(egui::Id::unique("keys")).frame(frame).show(ui, |ui| {
         ui.set_max_width((ui.content_rect().width() - 64.0).min(460.0));
-        theme::heading(ui, RichText::new("Keys").heading().size(theme::sizes(ui).sheet), 2);
+        let heading = |ui: &mut Ui, text: &str| {
+            theme::heading(ui, RichText::new(text).heading().size(theme::sizes(ui).sheet), 2);
+        };
+        let by_finger = theme::is_for_fingers(ui);
+        heading(ui, if by_finger { "By finger" } else { "Keys" });
         let own = SHORTCUTS.iter().map(|shortcut| (shortcut.shown, shortcut.text));
         let narrow = ui.content_rect().width() < NARROW;
-        let rows = |ui: &mut Ui| {
-            for (keys, text) in own.chain(OF_CONTROLS) {
+        let rows = |ui: &mut Ui, rows: &mut dyn Iterator<Item = (&str, &str)>| {
+            for (keys, text) in rows {
                 ui.label(RichText::new(keys).font(theme::semibold(theme::sizes(ui).value)));
                 ui.label(text);
                 if narrow {
@@ -138,11 +153,16 @@ pub fn sheet_ui(ui: &Ui) -> bool {
         // In a low window they scroll, between the heading and the button.
         let room = ui.content_rect().height() - 150.0;
         ScrollArea::vertical().max_height(room).show(ui, |ui| {
+            if by_finger {
+                rows(ui, &mut BY_FINGER.into_iter());
+                heading(ui, "Keys");
+            }
+            let mut keys = own.chain(OF_CONTROLS);
             if narrow {
                 // What a key does stands below it.
-                rows(ui);
+                rows(ui, &mut keys);
             } else {
-                Grid::new("keys").spacing([18.0, 1.0]).show(ui, rows);
+                Grid::new("keys").spacing([18.0, 1.0]).show(ui, |ui| rows(ui, &mut keys));
             }
         });
         ui.add_space(4.0);

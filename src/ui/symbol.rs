@@ -14,7 +14,7 @@
 
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Color32, FontId, Sense, Ui, Vec2, WidgetInfo};
+use egui::{Align, Color32, FontId, Response, Sense, Ui, Vec2, WidgetInfo};
 
 use super::fonts;
 
@@ -62,7 +62,13 @@ pub fn prose(text: &str, font: FontId, color: Color32) -> LayoutJob {
 }
 
 /// Draws a symbol beside text and controls of a row: on their middle, in its own width or a given one.
-pub fn symbol_ui(ui: &mut Ui, symbol: &Symbol<'_>, size: f32, color: Color32, width: Option<f32>) {
+pub fn symbol_ui(
+    ui: &mut Ui,
+    symbol: &Symbol<'_>,
+    size: f32,
+    color: Color32,
+    width: Option<f32>,
+) -> Response {
     let galley = ui.painter().layout_job(symbol.job(size, color));
     let room =
         Vec2::new(width.unwrap_or(galley.size().x), ui.spacing().interact_size.y.min(ui.available_height()));
@@ -71,6 +77,7 @@ pub fn symbol_ui(ui: &mut Ui, symbol: &Symbol<'_>, size: f32, color: Color32, wi
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, symbol.plain()));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_hidden());
     ui.painter().galley(place.left_center() - Vec2::new(0.0, 0.5 * galley.size().y), galley, color);
+    response
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::containers::menu::menu_style;
 use egui::style::{ScrollStyle, StyleModifier};
-use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, Ui, Vec2};
+use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, TextWrapMode, Ui, Vec2};
 
 use super::app::{Action, Pinned};
 use super::theme::{self, Look, Palette};
@@ -29,6 +29,9 @@ pub struct Bar<'a> {
     /// Whether there is room for the flight condition and the name of the pinned state.
     pub roomy: bool,
 }
+
+/// Left and right of the list of aircraft, with its scroll bar.
+const LIST_MARGINS: f32 = 56.0;
 
 /// Draws the bar and gives what the person asked for.
 pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
@@ -74,7 +77,13 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         } else {
             now.name.clone()
         });
+    // On a phone the longest of them have two lines.
+    let room = ui.content_rect().width() - LIST_MARGINS;
     let chooser = chooser.show_ui(ui, |ui| {
+        if bar.narrow {
+            ui.set_max_width(room);
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Wrap);
+        }
         for aircraft in bar.aircraft {
             let status = match aircraft.status {
                 Status::Verified => "✓",
