@@ -136,3 +136,26 @@ fn enter_and_space_press_and_escape_closes_what_is_in_front_first() {
     page.run();
     assert!(page.query_by_label_contains("Pole map, All modes").is_some(), "now it is");
 }
+
+/// "Drag, then Space": what was clicked last has no use for Space, so that the motion plays.
+#[test]
+fn space_plays_after_a_click_on_a_slider_and_page_keys_edit_nothing() {
+    let mut page = page(WIDE);
+    page.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").click();
+    page.run();
+    let slider = focused(&page).expect("the slider has the focus").1;
+    assert!(slider.contains("pitch stiffness"), "{slider}");
+    let before = value(&page, "cm_alpha");
+    for key in [Key::PageUp, Key::PageDown] {
+        page.key_press(key);
+        page.run();
+        assert_eq!(value(&page, "cm_alpha"), before, "{key:?}");
+    }
+    page.key_press(Key::Space);
+    page.run_steps(3);
+    page.get_by_label("Pause");
+    page.key_press(Key::Space);
+    page.run();
+    page.get_by_label("Play");
+    assert_eq!(value(&page, "cm_alpha"), before);
+}

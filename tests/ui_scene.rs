@@ -98,7 +98,7 @@ fn a_typed_time_stays_until_auto_is_pressed_and_undo_takes_back_both() {
     assert_eq!((time(&mut harness), follows(&mut harness)), (20.0, false));
 }
 
-/// The time of a link is what the sender saw; one without a word begins with a minute.
+/// The time of a link is what the sender saw; without a word it is what the scene says.
 #[test]
 fn an_old_link_with_a_time_keeps_it_and_one_without_follows() {
     let mut harness = page("v=1&ac=b747-cruise-etkin&time=90");
@@ -108,6 +108,9 @@ fn an_old_link_with_a_time_keeps_it_and_one_without_follows() {
     assert!(follows(&mut harness) && shown > 150.0, "{shown} s");
     let link = link(&mut harness);
     assert!(link.ends_with(&format!("&follows={shown}")), "{link}");
+    // Whatever was shown before.
+    let mut other = page("v=1&ac=b747-cruise-etkin&follows=7");
+    assert_eq!(time(&mut other), shown);
 }
 
 /// While the pointer is down the time keeps still; once it is up, it goes to the divergence that the slider has led to.

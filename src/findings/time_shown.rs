@@ -23,9 +23,8 @@ const PERIODS: f64 = 2.5;
 /// beside it would be lost in its time.
 const SLOPE: f64 = 60.0;
 
-/// The time shown stays as it is while it is within these shares of the time that is wanted: they are far apart, so that it
-/// hardly ever changes while a slider moves. A time that has just been rounded up lies well between them.
-const CALM: (f64, f64) = (0.66, 1.6);
+/// Times that are shown, up to powers of ten \[s\]: far apart, so that the time hardly ever changes while a slider moves.
+const TIMES: [f64; 7] = [1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0];
 
 /// Shortest and longest time that a mode is given \[s\].
 const LENGTHS: (f64, f64) = (2.0, 240.0);
@@ -41,6 +40,13 @@ pub fn seen_in(mode: &Mode) -> f64 {
     round_up(wanted.clamp(LENGTHS.0, LENGTHS.1))
 }
 
+/// The one of [`TIMES`] with a power of ten that is nearest by its ratio to a time \[s\], which must be positive.
+fn nearest(wanted: f64) -> f64 {
+    let decade = 10_f64.powf(wanted.log10().floor());
+    let distance = |step: &f64| (step * decade / wanted).ln().abs();
+    TIMES.into_iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).map_or(wanted, |step| step * decade)
+}
+
 /// Time in which a mode dies away to three per cent or grows as much \[s\]; five minutes where it does neither.
 fn halves(mode: &Mode) -> f64 {
     5.0 * mode.time_to_half().or(mode.time_to_double()).unwrap_or(60.0)
@@ -53,14 +59,24 @@ fn length(mode: &Mode) -> f64 {
 }
 
 impl Findings {
-    /// The time to be shown \[s\]: where it is to follow, that of the slowest mode that is seen, unless it is near that already.
+    /// The time to be shown \[s\]: where it is to follow, that of the slowest mode that is seen, whatever was shown before; and
+    /// where nothing says how long to look, as it is.
     pub fn time_shown(&self) -> f64 {
         let disturbance = &self.scenario.disturbance;
-        let time = disturbance.sizes.time;
         match self.time_to_see().filter(|_| disturbance.follows) {
-            Some(wanted) if !(CALM.0 * wanted..=CALM.1 * wanted).contains(&time) => round_up(wanted),
-            _ => time,
+            Some(wanted) => {
+                let time = nearest(wanted);
+                // The disturbance is seen to its end.
+                if time < self.end_of_disturbance() { round_up(wanted) } else { time }
+            }
+            None => disturbance.sizes.time,
         }
+    }
+
+    /// When the disturbance is over \[s\]; zero where it never is.
+    fn end_of_disturbance(&self) -> f64 {
+        let Scenario { plane, disturbance, .. } = &self.scenario;
+        disturbance.input(*plane).and_then(|(_, input)| input.edges().last()).unwrap_or(0.0)
     }
 
     /// Time in which the slowest visible mode is seen, and the disturbance to its end \[s\]; `None` where nothing is visible.
@@ -78,8 +94,7 @@ impl Findings {
             let all = choice.source == Source::Turbulence;
             let seen = |&(i, length): &(usize, f64)| all || self.shows(i, length);
             let (_, slowest) = lengths.into_iter().find(seen)?;
-            let end = disturbance.input(*plane).and_then(|(_, input)| input.edges().last()).unwrap_or(0.0);
-            Some(slowest.max(end + LENGTHS.0).min(LONGEST))
+            Some(slowest.max(self.end_of_disturbance() + LENGTHS.0).min(LONGEST))
         })
     }
 

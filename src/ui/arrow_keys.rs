@@ -1,6 +1,6 @@
 //! Arrow keys that a widget takes for itself while it has the focus, so that they don't move the focus on.
 
-use egui::{EventFilter, FocusDirection, Response, Ui};
+use egui::{EventFilter, FocusDirection, Id, Response, Ui};
 
 /// To be called in every frame in which the widget has the focus.
 ///
@@ -12,4 +12,14 @@ pub fn keep(ui: &Ui, response: &Response) {
         memory.set_focus_lock_filter(response.id, arrows);
         memory.move_focus(FocusDirection::None);
     });
+    ui.data_mut(|data| data.insert_temp(owner(), response.id));
+}
+
+/// Whether the widget that has the focus is worked by arrow keys, and so has no use for Space.
+pub fn are_of(ui: &Ui, focused: Id) -> bool {
+    ui.data(|data| data.get_temp::<Id>(owner())) == Some(focused)
+}
+
+fn owner() -> Id {
+    Id::unique("worked by arrow keys")
 }

@@ -2,6 +2,7 @@
 
 use egui::{Grid, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui};
 
+use super::arrow_keys;
 use super::theme::{self, Palette};
 use crate::scenario::view::Pane;
 
@@ -75,10 +76,9 @@ const SHORTCUTS: [Shortcut; 12] = [
 ];
 
 /// Keys that a control takes for itself while it has focus.
-const OF_CONTROLS: [(&str, &str); 11] = [
+const OF_CONTROLS: [(&str, &str); 10] = [
     ("Tab, Shift Tab", "To the next control, and the one before"),
     ("← →", "On a slider: a fine step; with Shift ten times as far"),
-    ("Page up, down", "On a slider: ten fine steps"),
     ("Home, End", "On a slider: to its ends"),
     ("Delete", "On a slider: back to its reference, as by double click"),
     ("/", "Find a derivative"),
@@ -106,8 +106,8 @@ const NARROW: f32 = 520.0;
 /// What the person's keys ask for; nothing while they type in a field.
 pub fn command(ui: &Ui) -> Option<Command> {
     let typing = ui.text_edit_focused();
-    // Space presses what has focus.
-    let focused = ui.memory(|memory| memory.focused().is_some());
+    // Space presses the button that has focus. A slider, a pole or the aircraft has no use for it.
+    let focused = ui.memory(|memory| memory.focused()).is_some_and(|id| !arrow_keys::are_of(ui, id));
     // Esc closes what is in front first.
     let listing = Popup::is_any_open(ui.ctx());
     ui.input_mut(|input| {

@@ -100,8 +100,8 @@ impl ReferenceSlider<'_> {
             let arrows = presses(Key::ArrowRight) + presses(Key::ArrowUp)
                 - presses(Key::ArrowLeft)
                 - presses(Key::ArrowDown);
-            let pages = presses(Key::PageUp) - presses(Key::PageDown);
-            let steps = if input.modifiers.shift { COARSE * arrows } else { arrows } + COARSE * pages;
+            // Page up and down edit nothing: a presenter's clicker sends them.
+            let steps = if input.modifiers.shift { COARSE * arrows } else { arrows };
             if input.key_pressed(Key::Home) {
                 Some(*self.range.start())
             } else if input.key_pressed(Key::End) {
