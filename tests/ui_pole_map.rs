@@ -10,7 +10,7 @@ use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::scenario::Parameter;
 use eigenwing::words;
 use nalgebra::Complex;
-use page::{PHONE, Page, WIDE, app, page, value};
+use page::{PHONE, Page, WIDE, app, open, page, value};
 
 /// The eigenvalue of the short period as the page opens, on its card and in words.
 const SHORT_PERIOD: &str = "−2.510 ± 2.592j 1/s";
@@ -410,5 +410,40 @@ fn levels_are_drawn_for_every_plane_and_an_idle_page_with_everything_on_asks_for
         let delay =
             harness.output().viewport_output.values().map(|v| v.repaint_delay).min().expect("a viewport");
         assert!(delay > std::time::Duration::from_secs(1), "{size}: {delay:?}");
+    }
+}
+
+/// Pinned, then a c.g. and a damping that bring the short period to a third of its frequency.
+#[test]
+fn the_pinned_poles_stay_in_sight_and_fitting_brings_them_back() {
+    let mut harness = page(WIDE);
+    for (title, name, link) in [
+        ("All modes", ModeName::ShortPeriod, "v=1&ac=navion&cm_alpha=-0.25&cm_q=-3&pin.ac=navion"),
+        ("Slow modes", ModeName::Phugoid, "v=1&ac=navion&speed=75&cd=0.02&pin.ac=navion"),
+    ] {
+        open(&mut harness, "v=1&ac=navion");
+        let pinned = mode(&harness, name).lambda;
+        open(&mut harness, link);
+        harness.run_steps(60);
+        let now = mode(&harness, name).lambda;
+        let stands = |harness: &Page| {
+            let chart = map(harness, title);
+            let at = pole(harness, words::mode::title(name));
+            // The same scale on both axes.
+            let scale = f64::from(chart.center().y - at.y) / now.im;
+            let off = (pinned - now) * scale;
+            chart.contains(at + Vec2::new(off.re as f32, -off.im as f32))
+        };
+        assert!(now.im < 0.8 * pinned.im, "{title}: {now} {pinned}");
+        assert!(stands(&harness), "{title}");
+        harness.get_by_label_contains(&format!("Pole map, {title}")).focus();
+        harness.run();
+        for _ in 0..3 {
+            harness.key_press(Key::Plus);
+            harness.run();
+        }
+        harness.key_press(Key::Num0);
+        harness.run();
+        assert!(stands(&harness), "{title} after key 0");
     }
 }

@@ -40,6 +40,8 @@ pub struct Map<'a> {
     pub home: Vec<usize>,
     /// The modes.
     pub modes: &'a [Mode],
+    /// Poles of the pinned state that stay in sight.
+    pub pinned: Vec<Complex<f64>>,
 }
 
 /// What is drawn beside the poles.
@@ -71,13 +73,13 @@ impl Map<'_> {
         rect
     }
 
-    /// The part of the plane that holds its modes with room for labels, in round numbers.
+    /// The part of the plane that holds its modes and the pinned ones with room for labels, in round numbers.
     pub fn wanted_view(&self) -> View {
-        let largest =
-            |part: fn(&Mode) -> f64| self.ranged.iter().map(|&i| part(&self.modes[i])).fold(0.0, f64::max);
-        let (left, right) = (largest(|m| -m.lambda.re), largest(|m| m.lambda.re));
-        let reach = left.max(right).max(largest(|m| m.lambda.im)).max(1e-3);
-        let top = round_up((1.3 * largest(|m| m.lambda.im)).max(0.35 * reach));
+        let poles = || self.ranged.iter().map(|&i| self.modes[i].lambda).chain(self.pinned.iter().copied());
+        let largest = |part: fn(Complex<f64>) -> f64| poles().map(part).fold(0.0, f64::max);
+        let (left, right, high) = (largest(|l| -l.re), largest(|l| l.re), largest(|l| l.im));
+        let reach = left.max(right).max(high).max(1e-3);
+        let top = round_up((1.3 * high).max(0.35 * reach));
         View {
             left: -round_up((1.25 * left).max(0.5 * reach)),
             right: round_up((1.3 * right).max(0.22 * reach)),

@@ -206,9 +206,19 @@ impl PoleMap {
         let slow = slow_modes(modes);
         let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
         let all = (0..modes.len()).collect();
+        let before = seen.pinned.unwrap_or_default();
+        let slow_before = slow_modes(before).into_iter().map(|i| before[i].lambda).collect();
+        let all_before = before.iter().map(|mode| mode.lambda).collect();
         let maps = [
-            Map { captions: CAPTIONS[0], rect: left, ranged: all, home: fast, modes },
-            Map { captions: CAPTIONS[1], rect: right, ranged: slow.clone(), home: slow, modes },
+            Map { captions: CAPTIONS[0], rect: left, ranged: all, home: fast, modes, pinned: all_before },
+            Map {
+                captions: CAPTIONS[1],
+                rect: right,
+                ranged: slow.clone(),
+                home: slow,
+                modes,
+                pinned: slow_before,
+            },
         ];
         let held_on = self.held.as_ref().map(|held| held.map);
         let charts: [Chart; 2] = std::array::from_fn(|i| {
