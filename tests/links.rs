@@ -108,7 +108,7 @@ prop_compose! {
         page in any::<Index>(),
         tab in any::<Index>(),
         nonlinear in any::<bool>(),
-        rate in prop::sample::select(&[0.25, 0.5, 1.0, 2.0, 4.0]),
+        rate in prop::sample::select(&Pace::RATES),
     ) -> (View, Index) {
         let usual = ResponseView::default();
         let portraits = |of: &[Output]| [(of[0], of[1]), (of[2], of[3])];

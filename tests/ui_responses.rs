@@ -251,3 +251,25 @@ fn an_overshoot_is_told_once_there_can_be_no_more_of_it() {
     open(&mut harness, "v=1&ac=navion&cd=0.3&time=5&tab=figures");
     assert_eq!(harness.query_all_by_label("0 %").count(), 0);
 }
+
+/// A mode flown alone is played as fast as it can be watched, and afterwards as before.
+#[test]
+fn a_mode_is_played_as_fast_as_it_can_be_watched() {
+    let mut harness = page(WIDE);
+    let rate = |harness: &page::Page| {
+        let chooser = harness.get_by_role_and_label(Role::ComboBox, "Speed of the playback");
+        chooser.accesskit_node().value().unwrap_or_default()
+    };
+    assert_eq!(rate(&harness), "1×");
+    // A turn of the Navion's phugoid takes 29.5 s: eight times as fast it takes 3.7.
+    harness.get_by_label("Fly the phugoid alone").click();
+    harness.run_steps(4);
+    assert_eq!(rate(&harness), "8×");
+    harness.get_by_label("Stop flying the phugoid alone").click();
+    harness.run();
+    assert_eq!(rate(&harness), "1×");
+    // Its short period turns in 2.4 s.
+    harness.get_by_label("Fly the short period alone").click();
+    harness.run_steps(4);
+    assert_eq!(rate(&harness), "½×");
+}

@@ -47,7 +47,7 @@ pub use frequency::FrequencyResponse;
 pub use metrics::{Extreme, Metrics, OutputMetrics};
 pub use placement::{Obstacle, Placed, PlacementError};
 pub use sensitivities::{RowSensitivity, by_strength};
-pub use time_shown::seen_in;
+pub use time_shown::{seen_in, watched_at};
 pub use trajectory::{MomentArrow, Pose, Trajectory};
 
 /// A scenario with everything that follows from it.

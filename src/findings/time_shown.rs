@@ -47,6 +47,11 @@ fn nearest(wanted: f64) -> f64 {
     TIMES.into_iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).map_or(wanted, |step| step * decade)
 }
 
+/// Seconds of motion a second in which a mode flown alone can be watched: a turn takes four seconds, and what doesn't turn six.
+pub fn watched_at(mode: &Mode) -> f64 {
+    mode.period().map_or_else(|| seen_in(mode) / 6.0, |period| period / 4.0)
+}
+
 /// Time in which a mode dies away to three per cent or grows as much \[s\]; five minutes where it does neither.
 fn halves(mode: &Mode) -> f64 {
     5.0 * mode.time_to_half().or(mode.time_to_double()).unwrap_or(60.0)

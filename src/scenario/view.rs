@@ -175,6 +175,18 @@ pub struct Pace {
     pub is_looping: bool,
 }
 
+impl Pace {
+    /// Rates that a person can choose.
+    pub const RATES: [f64; 9] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
+
+    /// The rate nearest to one that is wanted, by its ratio; real time where none is.
+    pub fn nearest_rate(wanted: f64) -> f64 {
+        let distance = |rate: &f64| (rate / wanted).ln().abs();
+        let nearest = Self::RATES.into_iter().min_by(|x, y| distance(x).total_cmp(&distance(y)));
+        nearest.filter(|_| wanted.is_finite() && wanted > 0.0).unwrap_or(1.0)
+    }
+}
+
 impl Default for Pace {
     fn default() -> Self {
         Self { rate: 1.0, is_looping: true }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use egui::Ui;
 
 use super::aircraft::{
-    AircraftView, Attitude, Axis, Figures, Forces, Moment, Picture, Playback, transport_ui,
+    AircraftView, Attitude, Axis, Figures, Forces, Moment, Picture, Playback, transport_height, transport_ui,
 };
 use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
@@ -16,6 +16,8 @@ use crate::shape::{Deflections, Finish, Model};
 
 /// Length of the path behind the aircraft \[s\].
 const PATH: f64 = 8.0;
+/// A frame that took longer than this \[s\] was none: the page was hidden.
+const LONGEST_FRAME: f64 = 1.0;
 /// The propeller turns so fast on screen \[rad/s\]: slowly enough to be seen turning.
 const PROPELLER: f64 = 14.0;
 
@@ -24,13 +26,20 @@ const PROPELLER: f64 = 14.0;
 pub struct FlightPane {
     picture: AircraftView,
     playback: Playback,
+    /// Real time at which it was last advanced \[s\], while it plays.
+    advanced: Option<f64>,
     /// The faces of the shapes drawn so far.
     models: Models,
 }
 
 impl Default for FlightPane {
     fn default() -> Self {
-        Self { picture: AircraftView::default(), playback: Playback::new(0.0), models: HashMap::new() }
+        Self {
+            picture: AircraftView::default(),
+            playback: Playback::new(0.0),
+            advanced: None,
+            models: HashMap::new(),
+        }
     }
 }
 
@@ -73,8 +82,13 @@ impl FlightPane {
         self.playback.end = end;
         self.playback.time = self.playback.time.min(end);
         if self.playback.is_playing {
-            self.playback.advance(f64::from(ui.input(|input| input.stable_dt).min(0.1)), pace);
+            // By the clock, however long a frame takes; but a page that was hidden goes on where it was.
+            let now = ui.input(|input| input.time);
+            let passed = self.advanced.replace(now).map_or(0.0, |before| now - before);
+            self.playback.advance(passed.min(LONGEST_FRAME), pace);
             ui.request_repaint();
+        } else {
+            self.advanced = None;
         }
     }
 
@@ -86,8 +100,7 @@ impl FlightPane {
     /// Draws the aircraft at the time of the playback, over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, flown: Trajectory<'_>) {
         let palette = Palette::of(ui);
-        let bar = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
-        let room = (ui.available_height() - bar).max(80.0);
+        let room = (ui.available_height() - transport_height(ui)).max(80.0);
         let (time, exaggeration) = (self.playback.time, flown.exaggeration());
         let pose = flown.pose(time, exaggeration);
         let own = if exaggeration == 1.0 { pose } else { flown.pose(time, 1.0) };
@@ -110,7 +123,7 @@ impl FlightPane {
                 trimmed(exaggeration, 3)
             )
         });
-        let Self { picture: widget, playback, models } = self;
+        let Self { picture: widget, playback, models, .. } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
         let picture = Picture {

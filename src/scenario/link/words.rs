@@ -28,7 +28,17 @@ pub(super) const SPLITS: [(&str, bool); 2] = [("whole", false), ("modes", true)]
 pub(super) const LOOPS: [(&str, bool); 2] = [("off", false), ("on", true)];
 
 /// Seconds of motion played in a second.
-pub(super) const RATES: [(&str, f64); 5] = [("0.25", 0.25), ("0.5", 0.5), ("1", 1.0), ("2", 2.0), ("4", 4.0)];
+pub(super) const RATES: [(&str, f64); 9] = [
+    ("0.125", 0.125),
+    ("0.25", 0.25),
+    ("0.5", 0.5),
+    ("1", 1.0),
+    ("2", 2.0),
+    ("4", 4.0),
+    ("8", 8.0),
+    ("16", 16.0),
+    ("32", 32.0),
+];
 
 /// A list with nothing in it.
 pub(super) const NOTHING: &str = "none";

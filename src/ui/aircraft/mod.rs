@@ -15,6 +15,6 @@ mod transport;
 mod view;
 
 pub use picture::{Attitude, Axis, Figures, Forces, Moment, Picture};
-pub use playback::{Playback, RATES};
-pub use transport::transport_ui;
+pub use playback::Playback;
+pub use transport::{transport_height, transport_ui};
 pub use view::AircraftView;

@@ -2,9 +2,6 @@
 
 use crate::scenario::view::Pace;
 
-/// Rates that a person can choose, over real time.
-pub const RATES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
-
 /// A playback.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Playback {

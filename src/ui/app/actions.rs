@@ -7,8 +7,9 @@ use egui::Ui;
 use super::history::Scene;
 use super::{App, PhonePane, Pinned};
 use crate::content::Aircraft;
-use crate::findings::seen_in;
+use crate::findings::{seen_in, watched_at};
 use crate::flight::aircraft::plane::Plane;
+use crate::scenario::view::Pace;
 use crate::scenario::{Choice, Disturbance, Source};
 use crate::ui::keys::Command;
 use crate::ui::theme::Look;
@@ -90,12 +91,16 @@ impl App {
     /// Flies a mode alone, long enough to see what becomes of it, or goes back to what was before.
     pub(super) fn fly(&mut self, index: usize, flown: bool) {
         let plane = self.scenario.plane;
-        let length = self.findings.modes().get(index).map(seen_in);
+        let mode = self.findings.modes().get(index);
+        let (length, rate) = (mode.map(seen_in), mode.map(watched_at));
+        let pace = &mut self.view.flight.pace;
         let disturbance = &mut self.scenario.disturbance;
         let before = &mut self.panes.before_flight[plane];
         if flown {
             let standard = Disturbance::default();
-            let (choice, time) = before.unwrap_or((standard.choices[plane], standard.sizes.time));
+            let (choice, time, rate) =
+                before.unwrap_or((standard.choices[plane], standard.sizes.time, Pace::default().rate));
+            pace.rate = rate;
             disturbance.choices[plane] = choice;
             disturbance.sizes.time = time;
             self.panes.flight.pause();
@@ -103,10 +108,12 @@ impl App {
         }
         let choice = disturbance.choices[plane];
         if choice.source != Source::OneMode {
-            *before = Some((choice, disturbance.sizes.time));
+            *before = Some((choice, disturbance.sizes.time, pace.rate));
         }
         disturbance.choices[plane] = Choice { source: Source::OneMode, mode: index, ..choice };
         disturbance.sizes.time = length.unwrap_or(disturbance.sizes.time);
+        // As fast as it can be watched.
+        pace.rate = rate.map_or(pace.rate, Pace::nearest_rate);
         self.panes.flight.start();
         // On a phone the aircraft is on another page than the card.
         self.panes.phone_pane = PhonePane::Aircraft;

@@ -67,8 +67,8 @@ struct Panes {
     phone_pane: PhonePane,
     /// The mode that is flown alone: its plane, its place among the modes, and its name.
     held: Option<(Plane, usize, ModeName)>,
-    /// What disturbed each plane, and for how long it was watched \[s\], before a mode was flown alone.
-    before_flight: ByPlane<Option<(Choice, f64)>>,
+    /// What disturbed each plane, for how long it was watched \[s\], and how fast it was played, before a mode was flown alone.
+    before_flight: ByPlane<Option<(Choice, f64, f64)>>,
     /// Whether this frame has said why nothing can be shown; once is enough.
     problem_said: bool,
 }
