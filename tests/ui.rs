@@ -207,10 +207,10 @@ fn the_overall_level_is_told_for_the_class_and_category_that_are_chosen() {
 #[test]
 fn a_changed_aircraft_is_modified_and_not_verified() {
     let mut harness = page(WIDE);
-    harness.get_by_label("✓ verified");
+    harness.get_by_label("✓ verified: source and remarks");
     type_into(&mut harness, "pitch stiffness C_mα, typed", "-0.5");
-    assert!(harness.query_by_label("✓ verified").is_none());
-    harness.get_by_label("modified");
+    assert!(harness.query_by_label("✓ verified: source and remarks").is_none());
+    harness.get_by_label("modified: source and remarks");
 }
 
 #[test]
@@ -666,7 +666,32 @@ fn remarks_on_an_aircraft_s_source_are_shown_at_its_status() {
     let mut harness = page(WIDE);
     let remark = "only 184, as in Fig. X-1, reproduces";
     assert_eq!(harness.query_all_by_label_contains(remark).count(), 0);
-    harness.get_by_label("✓ verified").hover();
+    harness.get_by_label("✓ verified: source and remarks").hover();
     harness.run_steps(60);
     assert_eq!(harness.query_all_by_label_contains(remark).count(), 1);
+}
+
+/// What is said of a source is a hover text on a desk; the sheet is reached without hovering, too, and read by screen readers.
+#[test]
+fn the_source_and_the_remarks_on_it_open_as_a_sheet() {
+    for size in [WIDE, PHONE] {
+        let mut harness = page(size);
+        let remark = "Table X-A prints S = 180; only 184";
+        assert!(harness.query_by_label_contains(remark).is_none());
+        harness.get_by_label("✓ verified: source and remarks").click();
+        harness.run();
+        harness.get_by_role_and_label(Role::Heading, "Source and remarks");
+        harness.get_by_role_and_label(Role::Heading, "Longitudinal motion: verified");
+        harness.get_by_label_contains(remark);
+        let source = app(&harness).scenario().aircraft.source.clone();
+        harness.get_by_label(&source);
+        harness.key_press(Key::Escape);
+        harness.run();
+        assert!(harness.query_by_label_contains(remark).is_none());
+        harness.get_by_label("✓ verified: source and remarks").click();
+        harness.run();
+        harness.get_by_label("Close").click();
+        harness.run();
+        assert!(harness.query_by_label_contains(remark).is_none());
+    }
 }

@@ -22,6 +22,7 @@ mod poles;
 mod responses;
 mod share;
 mod slider;
+mod source_sheet;
 mod symbol;
 mod theme;
 mod top_bar;

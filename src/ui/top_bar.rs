@@ -38,7 +38,7 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     if bar.narrow {
         let first = |ui: &mut Ui| {
             let action = aircraft_ui(ui, bar);
-            status_ui(ui, bar.scenario);
+            let action = status_ui(ui, bar.scenario).or(action);
             from_the_right(ui, true, None, vec![Tool::help()]).or(action)
         };
         let second = |ui: &mut Ui| {
@@ -52,7 +52,7 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         theme::heading(ui, RichText::new("Eigenwing").font(theme::semibold(theme::sizes(ui).brand)), 1);
         ui.add_space(6.0);
         let action = aircraft_ui(ui, bar);
-        status_ui(ui, bar.scenario);
+        let action = status_ui(ui, bar.scenario).or(action);
         let action = plane_ui(ui, bar).or(action);
         tools_ui(ui, bar).or(action)
     };
@@ -102,10 +102,10 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     action
 }
 
-/// The status of the plane on screen.
-fn status_ui(ui: &mut Ui, scenario: &Scenario) {
+/// The status of the plane on screen, a button that opens the sheet of the source.
+fn status_ui(ui: &mut Ui, scenario: &Scenario) -> Option<Action> {
     let palette = Palette::of(ui);
-    let Some(notes) = &scenario.aircraft.plane_notes[scenario.plane] else { return };
+    let notes = scenario.aircraft.plane_notes[scenario.plane].as_ref()?;
     let is_edited = scenario.is_edited();
     let text = words::status::mark(notes.status, is_edited);
     let color = match (notes.status, is_edited) {
@@ -113,14 +113,13 @@ fn status_ui(ui: &mut Ui, scenario: &Scenario) {
         (Status::Verified, false) => palette.good,
         (Status::Unverified, false) => palette.warning,
     };
-    let label = ui.label(RichText::new(text).font(theme::small()).color(color));
-    let reason = if is_edited {
-        let sentence = words::status::sentence(&scenario.aircraft.name, notes.status, true);
-        format!("This is {sentence}. {}", notes.status_reason)
-    } else {
-        notes.status_reason.clone()
-    };
-    label.on_hover_text(remarks(&reason, &scenario.aircraft));
+    let button = Button::new(RichText::new(text).font(theme::small()).color(color));
+    let response =
+        theme::bare_button(ui, true, button).accessible_name(words::status::button(notes.status, is_edited));
+    let reason =
+        words::status::reason(&scenario.aircraft.name, notes.status, &notes.status_reason, is_edited);
+    let is_pressed = response.on_hover_text(remarks(&reason, &scenario.aircraft)).clicked();
+    is_pressed.then_some(Action::Source)
 }
 
 /// The reason of a status, and below it the remarks on the aircraft's source.

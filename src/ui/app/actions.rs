@@ -35,6 +35,8 @@ pub enum Action {
     CopyLink,
     /// Open the sheet of keys.
     Help,
+    /// Open the sheet of the aircraft's source.
+    Source,
 }
 
 impl App {
@@ -49,10 +51,11 @@ impl App {
             Command::Maximise(pane) => {
                 self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
             }
-            Command::Restore => {
-                self.view.maximised = None;
-                self.panes.help = false;
+            // What is in front first.
+            Command::Restore if self.panes.help || self.panes.source => {
+                (self.panes.help, self.panes.source) = (false, false);
             }
+            Command::Restore => self.view.maximised = None,
             Command::Look => Look::of(ui.ctx()).next().set(ui.ctx()),
             Command::Help => self.panes.help = !self.panes.help,
         }
@@ -74,6 +77,10 @@ impl App {
             Action::CopyLink => return self.share.copy(ui, &self.link()),
             Action::Help => {
                 self.panes.help = true;
+                return;
+            }
+            Action::Source => {
+                self.panes.source = true;
                 return;
             }
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),

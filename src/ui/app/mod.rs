@@ -27,6 +27,7 @@ use crate::ui::keys;
 use crate::ui::poles::{DragPhase, PoleMap};
 use crate::ui::responses::Responses;
 use crate::ui::share::Share;
+use crate::ui::source_sheet::source_sheet_ui;
 use crate::ui::theme::{self, Palette};
 use crate::ui::top_bar::{Bar, top_bar_ui};
 
@@ -55,6 +56,8 @@ struct Panes {
     flight: FlightPane,
     /// Whether the sheet of keys is open.
     help: bool,
+    /// Whether the sheet of the aircraft's source is open.
+    source: bool,
     /// What the sliders are narrowed down to.
     search: String,
     /// Key of the slider that the help card speaks of.
@@ -193,6 +196,10 @@ impl App {
         let by_pane = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, wide) };
         if self.panes.help {
             self.panes.help = keys::sheet_ui(ui);
+        }
+        if self.panes.source {
+            let is_edited = self.scenario.is_edited();
+            self.panes.source = source_sheet_ui(ui, &self.scenario.aircraft, is_edited);
         }
 
         if let Some(action) = by_pane.or(by_bar).or(by_key) {

@@ -8,7 +8,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::response_metrics::StepMetrics;
 use crate::number::significant;
 use crate::scenario::{Scenario, Source};
-use crate::ui::symbol::Symbol;
+use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -17,11 +17,11 @@ pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
     ScrollArea::vertical().id_salt("metrics").auto_shrink(false).show(ui, |ui| {
         let plane = findings.scenario().plane;
         let Some(metrics) = findings.metrics() else { return };
-        for line in of_the_whole(metrics, plane) {
-            ui.label(line);
-        }
-        for line in pinned.and_then(Findings::metrics).into_iter().flat_map(|pinned| of_the_whole(pinned, plane)) {
-            ui.label(format!("{line} (pinned)"));
+        let of_pinned = pinned.and_then(Findings::metrics).into_iter();
+        let of_pinned =
+            of_pinned.flat_map(|pinned| of_the_whole(pinned, plane)).map(|line| format!("{line} (pinned)"));
+        for line in of_the_whole(metrics, plane).into_iter().chain(of_pinned) {
+            ui.label(prose(&line, theme::body(), Palette::of(ui).text));
         }
         ui.add_space(4.0);
         table_ui(ui, findings.scenario(), metrics);
