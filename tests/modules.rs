@@ -279,3 +279,29 @@ fn every_path_in_the_architecture_leads_to_a_file() {
     let lost: Vec<_> = paths.iter().filter(|path| !root.join(path).exists()).collect();
     assert!(lost.is_empty(), "{lost:?}");
 }
+
+/// Lengths within a fifth, and what is named in a file stands in it.
+#[test]
+fn the_walk_tells_how_long_its_files_are_and_what_is_in_them() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let steps = table("../ARCHITECTURE.md", "| step |");
+    assert!(steps.len() > 10, "{steps:?}");
+    for step in steps {
+        let [_, files, lengths, what] = &step[..] else { panic!("four columns: {step:?}") };
+        let texts: Vec<String> = quoted(files)
+            .iter()
+            .map(|file| std::fs::read_to_string(root.join(file)).expect("a file of the walk"))
+            .collect();
+        let told: Vec<f64> =
+            lengths.split(", ").map(|length| length.parse().expect("a number of lines")).collect();
+        assert_eq!(told.len(), texts.len(), "{files}");
+        for (told, text) in told.iter().zip(&texts) {
+            let lines = text.lines().count() as f64;
+            assert!((lines - told).abs() <= 0.2 * lines, "{files}: {told} lines are told, it has {lines}");
+        }
+        for name in quoted(what) {
+            let name = name.rsplit("::").next().expect("a name").to_owned();
+            assert!(texts.iter().any(|text| text.contains(&name)), "{files} has no {name}");
+        }
+    }
+}
