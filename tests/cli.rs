@@ -160,8 +160,10 @@ fn a_nonlinear_flight_that_stops_leaves_cells_empty_and_says_why_beside_the_csv(
     let Output { status, stdout, stderr } = run(&arguments);
     assert!(status.success());
     let said = String::from_utf8_lossy(&stderr);
-    assert!(said.starts_with("note: the nonlinear flight ends: at 1."), "{said}");
-    assert_eq!(said.matches('\n').count(), 1);
+    let notes: Vec<&str> = said.lines().collect();
+    assert_eq!(notes.len(), 2, "{said}");
+    assert!(notes[0].starts_with("note: After ") && notes[0].contains("no longer small"), "{said}");
+    assert!(notes[1].starts_with("note: the nonlinear flight ends: at 1."), "{said}");
     let text = String::from_utf8(stdout).expect("an answer is a text");
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     let flown = rows[0].iter().position(|head| *head == "q nonlinear [rad/s]").expect("a column");
@@ -426,4 +428,21 @@ fn a_reader_that_stops_early_is_no_error() {
     assert!(head.starts_with("time [s],elevator [rad],u [m/s]"), "{head}");
     let Output { status, stderr, .. } = child.wait_with_output().expect("it ends");
     assert_eq!((status.code(), stderr), (Some(0), Vec::new()));
+}
+
+#[test]
+fn a_motion_that_is_no_longer_small_is_marked_in_a_column_and_beside_the_csv() {
+    let arguments = ["respond", "navion", "--set", "cm_alpha=0.5", "--set", "time=6", "--steps", "60", "--csv"];
+    let Output { status, stdout, stderr } = run(&arguments);
+    assert!(status.success());
+    let note = String::from_utf8_lossy(&stderr).into_owned();
+    assert!(note.starts_with("note: After ") && note.contains("no longer small"), "{note}");
+    let text = String::from_utf8(stdout).expect("a text");
+    let column = |line: &str| line.rsplit(',').next().unwrap_or_default().to_owned();
+    let small: Vec<String> = text.lines().map(column).collect();
+    assert_eq!(small[0], "small");
+    assert_eq!(small.len(), 62);
+    let first_large = small.iter().position(|cell| cell == "0").expect("it grows");
+    assert!(first_large > 10 && small[1..first_large].iter().all(|cell| cell == "1"));
+    assert!(small[first_large..].iter().all(|cell| cell == "0"));
 }

@@ -355,3 +355,15 @@ fn moving_air_counts_in_the_sense_of_its_parameter() {
         assert!(bode.phase[0].abs() <= std::f64::consts::PI, "{air}: {}", bode.phase[0]);
     }
 }
+
+#[test]
+fn the_moment_from_which_a_motion_is_no_longer_small_is_told_with_its_limit() {
+    let request = disturbed_by("elevator", "step");
+    let report = motion("navion", &[("elevator", -0.02), ("cm_alpha", 0.5)], &request);
+    let end = report.small_until.expect("it diverges");
+    let limit = report.small_limit.as_deref().expect("the limit");
+    assert!(limit.starts_with(&format!("After {end:.2} s")) && limit.contains(" is more than "), "{limit}");
+    assert!(report.time.last().is_some_and(|last| *last > end), "the samples go on");
+    let calm = motion("navion", &[], &request);
+    assert_eq!((calm.small_until, calm.small_limit), (None, None));
+}

@@ -134,3 +134,22 @@ fn damping_moments_act_against_the_rates_they_damp() {
         assert!(weathercock * pose.beta >= 0.0, "the nose turns into the wind");
     }
 }
+
+/// A linear motion is flown while it is a small disturbance; the nonlinear one goes on.
+#[test]
+fn the_aircraft_stays_at_the_last_small_state() {
+    let mut scenario = scenarios().next().expect("the Navion");
+    let cm_alpha = Parameter::find("cm_alpha").expect("a coefficient");
+    cm_alpha.set(&mut scenario, 0.5);
+    let findings = Findings::of(scenario);
+    let flown = findings.trajectory(false).expect("a motion");
+    let end = flown.motion.small_until.expect("it diverges");
+    assert!(flown.flown_until() < end && end - flown.flown_until() < 0.1 && end < flown.end());
+    let [before, last, after] =
+        [0.5 * end, flown.flown_until(), flown.end()].map(|time| flown.pose(time, 1.0));
+    assert!(before != last && last == after);
+    assert!(last.attitude[1].abs() < 1.2 && (last.alpha - before.alpha).abs() < 0.5, "{last:?}");
+    assert_eq!(flown.path(flown.end(), 3.0, 1.0), flown.path(flown.flown_until(), 3.0, 1.0));
+    let flown = findings.trajectory(true).expect("a flight");
+    assert_eq!(flown.flown_until(), flown.end());
+}

@@ -69,6 +69,7 @@ impl Pane {
             moments: &moments,
             is_one_mode: self.is_one_mode,
             note: Some("Phugoid alone, 8 × as large as it is"),
+            is_dimmed: false,
         };
         self.picture.toolbar_ui(ui, &mut self.view);
         transport_ui(ui, &mut self.playback, &mut self.view.pace);

@@ -226,7 +226,7 @@ fn the_motion_is_played_beside_the_sliders_too() {
     assert!(time > 1.0, "{time}");
 }
 
-/// Where a motion grows out of what is small, neither its picture nor its words go on.
+/// Where a motion grows out of what is small, its picture goes on, but not its words.
 #[test]
 fn words_of_a_motion_end_where_the_linear_model_does() {
     let mut harness = page(WIDE);
@@ -272,4 +272,27 @@ fn a_mode_is_played_as_fast_as_it_can_be_watched() {
     harness.get_by_label("Fly the short period alone").click();
     harness.run_steps(4);
     assert_eq!(rate(&harness), "½×");
+}
+
+/// The criterion is told with its number, and the nonlinear flight is offered where there is one.
+#[test]
+fn where_a_disturbance_is_no_longer_small_the_limit_is_told_and_the_nonlinear_flight_offered() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&cg=25");
+    let line = said(&harness, "no longer small");
+    let end = motion(&harness).small_until.expect("it grows");
+    assert!(line.starts_with(&format!("After {end:.2} s")), "{line}");
+    assert!(line.contains("Δθ is more than 57.3 deg"), "{line}");
+    assert!(line.ends_with("the linear curve goes on, faded."), "{line}");
+    harness.get_by_label("Draw the nonlinear flight").click();
+    harness.run();
+    assert_eq!(harness.query_all_by_label("Draw the nonlinear flight").count(), 0);
+    assert!(app(&harness).link().contains("flight=nonlinear"));
+    open(&mut harness, "v=1&ac=navion&cg=10");
+    let line = said(&harness, "no longer small");
+    assert!(line.contains("Δu is more than 26.8 m/s, 50 % of the flight speed"), "{line}");
+    // Of bare matrices there is none.
+    open(&mut harness, "v=1&ac=lesson-printed&elevator=-3");
+    assert!(said(&harness, "no longer small").contains("Δ"));
+    assert_eq!(harness.query_all_by_label("Draw the nonlinear flight").count(), 0);
 }

@@ -11,6 +11,7 @@ use super::metrics::MetricsReport;
 use super::signal::Signal;
 use super::split::SplitOutcome;
 use super::subject::{ExportError, set_on};
+use crate::content::LengthUnit;
 use crate::findings::Findings;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::MOST_STEPS;
@@ -76,8 +77,10 @@ pub struct ResponseReport {
     pub inputs: Vec<Signal>,
     /// Outputs at these times, as changes from the steady flight: those of the plane, by their keys.
     pub outputs: Vec<Signal>,
-    /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
+    /// Time \[s\] from which the motion is no small disturbance any more, so that the linear answer is no longer that of the aircraft.
     pub small_until: Option<f64>,
+    /// The limit that it has passed then, in one sentence; null where it stays small.
+    pub small_limit: Option<String>,
     /// Time \[s\] of the first sample left out, where the motion had outgrown numbers worth having.
     pub cut_at: Option<f64>,
     /// Metrics of the motion while it is a small disturbance.
@@ -137,6 +140,7 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
         outputs: outputs.collect(),
         time,
         small_until: motion.small_until,
+        small_limit: words::small_disturbance::sentence(&motion, LengthUnit::Metre),
         cut_at: motion.response.cut_at,
         metrics: MetricsReport::of(metrics),
         split,

@@ -38,7 +38,7 @@ use crate::flight::motion::flight_path::FlightPath;
 use crate::flight::motion::frequency_response::frequency_range;
 use crate::flight::motion::modal_decomposition::{ModalDecomposition, SplitError};
 use crate::flight::motion::outputs::Output;
-use crate::flight::motion::six_dof::SixDofError;
+use crate::flight::motion::six_dof::{SixDof, SixDofError};
 use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::{Analysis, AnalysisError, Experiment};
 use crate::scenario::{Page, Parameter, Scenario};
@@ -168,6 +168,11 @@ impl Findings {
     pub fn flight(&self) -> Option<&Result<FlightPath, SixDofError>> {
         let flight = || self.flight_in(self.motion()?.experiment.grid.steps);
         self.flight.get_or_init(flight).as_ref()
+    }
+
+    /// Whether there is a nonlinear flight, without flying it.
+    pub fn can_fly(&self) -> bool {
+        self.plane().is_some() && SixDof::new(&self.scenario.edited).is_ok()
     }
 
     /// The same flight at other samples: `steps` between them.

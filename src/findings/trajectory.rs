@@ -103,10 +103,16 @@ impl Trajectory<'_> {
         }
     }
 
-    /// The aircraft at a time \[s\]; after the end it stays where it was.
+    /// Time of the last sample at which the motion can be flown \[s\]: a linear one only while it is a small disturbance.
+    pub fn flown_until(&self) -> f64 {
+        let last_small = self.motion.small_until.filter(|_| self.flight.is_none());
+        last_small.map_or(self.end(), |time| (time - self.motion.response.dt).max(0.0))
+    }
+
+    /// The aircraft at a time \[s\]; after [`Self::flown_until`] it stays where it was.
     pub fn pose(&self, time: f64, exaggeration: f64) -> Pose {
         let trim = &self.motion.model.trim;
-        let t = time.clamp(0.0, self.end());
+        let t = time.clamp(0.0, self.flown_until());
         let values = |output: Output| self.at(output, t);
         let large = |output: Output| exaggeration * values(output);
         let fuselage = self.fuselage_incidence();
@@ -137,7 +143,8 @@ impl Trajectory<'_> {
     /// Where it has been since `seconds` before a time, the oldest first, up to then: north, east, down \[m\].
     pub fn path(&self, time: f64, seconds: f64, exaggeration: f64) -> Vec<[f64; 3]> {
         const POINTS: usize = 60;
-        let (start, end) = ((time - seconds).max(0.0), time.min(self.end()));
+        let end = time.min(self.flown_until());
+        let start = (end - seconds).max(0.0);
         (0..=POINTS)
             .map(|k| {
                 let t = start + (end - start) * k as f64 / POINTS as f64;
@@ -152,7 +159,7 @@ impl Trajectory<'_> {
             return Vec::new();
         }
         let (a, states) = (&self.motion.model.a, &self.motion.response.states);
-        let (x, _) = self.state(time);
+        let (x, _) = self.state(time.min(self.flown_until()));
         let rows: &[(&'static str, usize, usize, usize, bool)] = match self.motion.model.plane {
             Plane::Longitudinal => &[
                 ("M′_w w", 1, Longitudinal::Q.index(), Longitudinal::W.index(), false),

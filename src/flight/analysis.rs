@@ -11,11 +11,11 @@ use super::aircraft::states::entry;
 use super::modes::approximations::{Approximation, DownwashLag, approximations};
 use super::modes::eigen::EigenError;
 use super::modes::mode::{Mode, modes};
-use super::motion::course::is_small;
 use super::motion::experiment::{Experiment, forced};
 use super::motion::modal_decomposition::{ModalDecomposition, SplitError, modal_decomposition};
 use super::motion::outputs::Output;
 use super::motion::response::{DrivenSystem, Response, respond};
+use super::motion::small_disturbance::{SmallLimit, outgrown};
 use super::verdicts::handling_qualities::{Verdict, handling_qualities};
 use super::verdicts::overall_level::{OverallLevel, overall_level};
 use super::verdicts::static_stability::{
@@ -83,7 +83,8 @@ pub struct Motion {
     pub forced: DrivenSystem,
     /// The states.
     pub response: Response,
-    /// Time \[s\] from which the motion is no small disturbance any more, so that the linear model means nothing.
+    /// Time \[s\] from which the motion is no small disturbance any more: the linear answer is still that of the equations, but no
+    /// longer that of the aircraft.
     pub small_until: Option<f64>,
 }
 
@@ -97,6 +98,12 @@ impl Motion {
     pub fn small_samples(&self) -> usize {
         let Response { states, dt, .. } = &self.response;
         self.small_until.map_or(states.len(), |time| (time / dt).round() as usize + 1)
+    }
+
+    /// The limit that the motion has passed when it is no small disturbance any more.
+    pub fn outgrown(&self) -> Option<SmallLimit> {
+        self.small_until?;
+        self.response.states.iter().find_map(|x| outgrown(&self.model, x))
     }
 
     /// The same split into the parts of the modes of this model.
@@ -201,7 +208,7 @@ pub fn motion(edited: &EditedModel, disturbed: &PlaneAnalysis, experiment: &Expe
 
 /// When a motion is first seen not to be small; `None` if it never is.
 fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
-    let k = response.states.iter().position(|x| !is_small(model, x))?;
+    let k = response.states.iter().position(|x| outgrown(model, x).is_some())?;
     Some(k as f64 * response.dt)
 }
 

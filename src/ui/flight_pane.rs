@@ -13,6 +13,7 @@ use crate::findings::{Pose, Trajectory};
 use crate::number::trimmed;
 use crate::scenario::view::{FlightView, Pace};
 use crate::shape::{Deflections, Finish, Model};
+use crate::words;
 
 /// Length of the path behind the aircraft \[s\].
 const PATH: f64 = 8.0;
@@ -117,12 +118,17 @@ impl FlightPane {
                 color: if moment.damps { palette.good } else { palette.warning },
             })
             .collect();
-        let note = (exaggeration != 1.0).then(|| {
+        let is_dimmed = time > flown.flown_until();
+        let time = time.min(flown.flown_until());
+        let exaggerated = (exaggeration != 1.0).then(|| {
             format!(
                 "One mode alone, drawn {} × as large as it is; the figures are its own",
                 trimmed(exaggeration, 3)
             )
         });
+        let length = flown.scenario.aircraft.length_unit;
+        let stays = is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
+        let note = stays.or(exaggerated);
         let Self { picture: widget, playback, models, .. } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
@@ -150,6 +156,7 @@ impl FlightPane {
             moments: &moments,
             is_one_mode: flown.is_one_mode(),
             note: note.as_deref(),
+            is_dimmed,
         };
         let width = ui.available_width();
         ui.allocate_ui(egui::Vec2::new(width, room), |ui| {

@@ -17,6 +17,7 @@
 //! | `placement` | why a dragged pole stops |
 //! | [`refusal`] | why a typed value was refused |
 //! | [`sliders`] | pages and groups of sliders |
+//! | [`small_disturbance`] | where a motion is no small disturbance any more |
 //! | [`stability`] | the verdicts on a plane as a whole |
 //! | [`status`] | how far the numbers can be trusted |
 //! | [`verdict`] | levels of handling qualities and their verdicts |
@@ -33,6 +34,7 @@ mod notice;
 mod placement;
 pub mod refusal;
 pub mod sliders;
+pub mod small_disturbance;
 pub mod stability;
 pub mod status;
 pub mod verdict;

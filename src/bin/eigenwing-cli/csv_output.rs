@@ -100,6 +100,9 @@ pub fn response(report: &ResponseReport) -> String {
         Some(flight) if flight.time.len() > report.time.len() => &flight.time,
         _ => &report.time,
     };
+    // Until the linear answer is no longer that of the aircraft.
+    let is_small = |time: &f64| report.small_until.is_none_or(|end| *time < end);
+    let small: Vec<f64> = report.time.iter().map(|time| f64::from(u8::from(is_small(time)))).collect();
     let mut columns: Vec<(String, &[f64])> = vec![(heading("time", "s"), time)];
     for signal in report.inputs.iter().chain(&report.outputs) {
         columns.push((heading(signal.name, signal.unit), &signal.values));
@@ -113,6 +116,7 @@ pub fn response(report: &ResponseReport) -> String {
             columns.push((heading(&format!("{} of {mode}", split.name), split.unit), values));
         }
     }
+    columns.push(("small".to_owned(), &small));
     let mut lines = Vec::with_capacity(time.len() + 1);
     lines.push(columns.iter().map(|(head, _)| head.as_str()).collect::<Vec<_>>().join(","));
     for k in 0..time.len() {
@@ -122,7 +126,7 @@ pub fn response(report: &ResponseReport) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Notes that columns can't hold: why some of those asked for aren't there, or end early.
+/// Notes that columns can't hold: what they mean from some time on, why some of those asked for aren't there, or end early.
 pub fn response_notes(report: &ResponseReport) -> Vec<String> {
     let split = report.split.iter().flatten().filter_map(|outcome| match outcome {
         SplitOutcome::Refused { name, error } => Some(format!("{name} is not split: {error}")),
@@ -134,7 +138,7 @@ pub fn response_notes(report: &ResponseReport) -> Vec<String> {
             flight.stop.as_ref().map(|stop| format!("the nonlinear flight ends: {}", stop.sentence))
         }
     });
-    split.chain(flight).collect()
+    report.small_limit.clone().into_iter().chain(split).chain(flight).collect()
 }
 
 /// A row for each frequency.

@@ -15,8 +15,8 @@ pub fn response(report: &ResponseReport) -> String {
         [Some(report.disturbance), report.shape, report.mode].into_iter().flatten().collect();
     let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, disturbance.join(" "));
     text += &samples(&report.time, report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)));
-    if let Some(time) = report.small_until {
-        text += &format!("From {} s on this is no small disturbance any more.\n", number(time));
+    if let Some(sentence) = &report.small_limit {
+        text += &format!("{sentence}.\n");
     }
     if let Some(time) = report.cut_at {
         text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));

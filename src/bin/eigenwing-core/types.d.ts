@@ -331,8 +331,10 @@ export type Motion = {
   inputs: Array<Signal>,
   /** Outputs at these times, as changes from the steady flight: those of the plane, by their keys. */
   outputs: Array<Signal>,
-  /** Time [s] from which the motion is no small disturbance any more, so that the linear model means nothing. */
+  /** Time [s] from which the motion is no small disturbance any more, so that the linear answer is no longer that of the aircraft. */
   small_until: number | null,
+  /** The limit that it has passed then, in one sentence; null where it stays small. */
+  small_limit: string | null,
   /** Time [s] of the first sample left out, where the motion had outgrown numbers worth having. */
   cut_at: number | null,
   /** Metrics of the motion while it is a small disturbance. */

@@ -7,7 +7,8 @@ use nalgebra::Vector4;
 
 use super::outputs::OutputRow;
 use super::response::{DrivenSystem, Place, Step};
-use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use super::small_disturbance::is_small;
+use crate::flight::aircraft::plane::PlaneModel;
 use crate::flight::modes::mode::Mode;
 
 /// Time between two nodes in units of 1/|λ|: 25 in a period.
@@ -251,22 +252,5 @@ impl<'a> Course<'a> {
             }
         }
         high.0
-    }
-}
-
-/// Whether a disturbance is small: |u| ≤ V/2, α and β ≤ 0.35 rad (20°, about the stall), attitude ≤ 1 rad.
-///
-/// Beyond these the linear equations are no approximation of anything. The limits are ours, and generous.
-pub fn is_small(model: &PlaneModel, x: &Vector4<f64>) -> bool {
-    let v = model.trim.speed;
-    match model.plane {
-        Plane::Longitudinal => {
-            let [u, w, _, theta] = (*x).into();
-            u.abs() <= 0.5 * v && w.abs() <= 0.35 * v && theta.abs() <= 1.0
-        }
-        Plane::Lateral => {
-            let [side, _, _, phi] = (*x).into();
-            side.abs() <= 0.35 * v && phi.abs() <= 1.0
-        }
     }
 }

@@ -5,6 +5,8 @@
 //!                                            │                 frequency_response: the same over frequency
 //!                                            └──► six_dof ──► flight_path (rigid_body, aerodynamics, integrator)
 //! ```
+//!
+//! `small_disturbance` tells how far the linear answer means anything.
 
 pub mod aerodynamics;
 pub mod course;
@@ -21,4 +23,5 @@ pub mod response;
 pub mod response_metrics;
 pub mod rigid_body;
 pub mod six_dof;
+pub mod small_disturbance;
 pub mod turbulence;

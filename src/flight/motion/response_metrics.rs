@@ -2,10 +2,11 @@
 //!
 //! All are read off the exact motion (see [`super::course`]), so that neither the samples on screen nor the time shown changes them.
 
-use super::course::{Course, Reading, is_small};
+use super::course::{Course, Reading};
 use super::modal_decomposition::{Reading as ModeReading, WORST_SPLIT};
 use super::outputs::{Output, OutputRow};
 use super::response::{DrivenSystem, steady_state};
+use super::small_disturbance::is_small;
 use crate::flight::aircraft::plane::PlaneModel;
 use crate::flight::aircraft::states::Longitudinal;
 use crate::flight::modes::mode::Mode;

@@ -43,8 +43,10 @@ pub struct Picture<'a> {
     pub moments: &'a [Moment<'a>],
     /// Whether it flies in one mode alone: then its moments are what is to be seen.
     pub is_one_mode: bool,
-    /// A sentence on what is exaggerated, shown on the picture.
+    /// A sentence on what is exaggerated, or why time stands still, shown on the picture.
     pub note: Option<&'a str>,
+    /// Whether it is drawn under a veil: it isn't the aircraft of the time that the playback tells.
+    pub is_dimmed: bool,
 }
 
 /// Attitude by Euler angles, in the order yaw, pitch, roll \[rad\].

@@ -18,6 +18,8 @@ use crate::ui::theme::{self, Palette};
 use crate::ui::{arrow_keys, finger};
 use crate::words;
 
+/// How much of what is under it a veil hides.
+const VEIL: f32 = 0.6;
 /// A drag over this many points turns the camera by 1 rad.
 const DRAG: f32 = 160.0;
 /// An arrow key turns it by so much \[rad\].
@@ -184,6 +186,13 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
     }
     let OverlayPainter { labels, .. } = easel;
     labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
+    if picture.is_dimmed {
+        painter.rect_filled(pane, CornerRadius::ZERO, palette.pane.gamma_multiply(VEIL));
+        // Over the veil, which the labels are under.
+        if let Some(note) = picture.note {
+            note_ui(&painter, pane, note, palette);
+        }
+    }
 }
 
 /// Where to look, from the aircraft: at the middle of it and its arrows, but towards where steady flight would have

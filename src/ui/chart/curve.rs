@@ -7,6 +7,8 @@ use super::{Chart, Pattern, PlotPoint, Primitive};
 
 /// How much of its colour the area between a curve and zero has.
 const FILL: f32 = 0.12;
+/// How much of its colour a curve has where it is faded.
+const FADED: f32 = 0.4;
 
 /// A curve in shown units.
 #[derive(Clone, Debug)]
@@ -15,35 +17,40 @@ pub struct Curve {
     pub name: &'static str,
     /// Its points.
     pub points: Vec<PlotPoint>,
-    /// How many of them, from the first, are drawn.
-    drawn: usize,
+    /// How many of them, from the first, are drawn in full colour; from the last of them on it is faded.
+    full: usize,
     /// Its colour.
     pub color: Color32,
     /// How it is drawn.
     pub pattern: Pattern,
-    /// What of it is needed on screen, at the scale at which it was shown last.
-    thinned: Option<(Vec2, Vec<PlotPoint>)>,
+    /// What of both parts is needed on screen, at the scale at which it was shown last.
+    thinned: Option<(Vec2, [Vec<PlotPoint>; 2])>,
 }
 
 impl Curve {
-    /// A curve all of which is drawn.
+    /// A curve all of which is drawn in full colour.
     pub fn new(name: &'static str, points: Vec<PlotPoint>, color: Color32, pattern: Pattern) -> Self {
-        Self { name, drawn: points.len(), points, color, pattern, thinned: None }
+        Self { name, full: points.len(), points, color, pattern, thinned: None }
     }
 
-    /// The same curve, of which only the first points are drawn.
-    pub fn drawn_for(self, count: usize) -> Self {
-        Self { drawn: count, ..self }
+    /// The same curve, faded after its first points.
+    pub fn faded_after(self, count: usize) -> Self {
+        Self { full: count, ..self }
     }
 
-    /// Its points as far as they are drawn.
-    pub fn drawn_part(&self) -> &[PlotPoint] {
-        &self.points[..self.points.len().min(self.drawn)]
+    /// Its points as far as they are drawn in full colour.
+    pub fn full_part(&self) -> &[PlotPoint] {
+        &self.points[..self.points.len().min(self.full)]
+    }
+
+    /// Its points where it is faded, from the last of the others on; none where nothing is.
+    pub(super) fn faded_part(&self) -> &[PlotPoint] {
+        if self.full < self.points.len() { &self.points[self.full.saturating_sub(1)..] } else { &[] }
     }
 
     /// Its value at a place between its points, linearly, and exact at them.
     pub fn at(&self, x: f64) -> Option<f64> {
-        let points = self.drawn_part();
+        let points = &self.points;
         let i = points.partition_point(|point| point.x <= x);
         let (a, b) = (points.get(i.checked_sub(1)?)?, points.get(i));
         match b {
@@ -57,16 +64,19 @@ impl Curve {
     pub fn draw(&mut self, chart: &Chart, list: &mut Vec<Primitive>) {
         let scale = chart.scale();
         if self.thinned.as_ref().is_none_or(|(of, _)| *of != scale) {
-            self.thinned = Some((scale, thin(self.drawn_part(), scale)));
+            let parts = [self.full_part(), self.faded_part()].map(|part| thin(part, scale));
+            self.thinned = Some((scale, parts));
         }
-        let points = self.thinned.as_ref().map_or(&[][..], |(_, points)| points);
-        if self.pattern == Pattern::Filled {
-            let line = points.iter().map(|point| chart.position(*point)).collect();
-            let base = chart.position(PlotPoint::default()).y;
-            list.push(Primitive::Area { line, base, color: self.color.gamma_multiply(FILL) });
+        let Some((_, [full, faded])) = &self.thinned else { return };
+        for (points, color) in [(faded, self.color.gamma_multiply(FADED)), (full, self.color)] {
+            if self.pattern == Pattern::Filled {
+                let line = points.iter().map(|point| chart.position(*point)).collect();
+                let base = chart.position(PlotPoint::default()).y;
+                list.push(Primitive::Area { line, base, color: color.gamma_multiply(FILL) });
+            }
+            let stroke = Stroke::new(self.pattern.width(), color);
+            let parts = chart.clipped(points.iter().copied()).into_iter();
+            list.extend(parts.map(|points| Primitive::Line { points, stroke, pattern: self.pattern }));
         }
-        let stroke = Stroke::new(self.pattern.width(), self.color);
-        let parts = chart.clipped(points.iter().copied()).into_iter();
-        list.extend(parts.map(|points| Primitive::Line { points, stroke, pattern: self.pattern }));
     }
 }

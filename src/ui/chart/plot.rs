@@ -20,6 +20,10 @@ const OVERHANG: f32 = 14.0;
 /// Least distance of the numbers on either axis, and as a share of its length.
 const APART: Vec2 = Vec2::new(30.0, 24.0);
 const SHARE: Vec2 = Vec2::new(0.18, 0.14);
+/// So many times the range of what is in full colour, a plot shows what is faded too.
+const MOST_GROWTH: f64 = 6.0;
+/// So much of it at least, however far it grows.
+const LEAST_GROWTH: f64 = 1.5;
 /// Length of a sample of a line in a title or a legend.
 pub const SAMPLE: f32 = 18.0;
 /// Radius of a dot.
@@ -36,7 +40,7 @@ pub struct PlotContent {
     pub against: (&'static str, &'static str),
     /// The curves; the first is the one whose value the title tells.
     pub curves: Vec<Curve>,
-    /// Where nothing is drawn any more, shaded.
+    /// Where the motion is no small disturbance any more, shaded.
     pub beyond: Option<RangeInclusive<f64>>,
     /// Upright lines with a colour: the cursor, frequencies of modes.
     pub uprights: Vec<(f64, Color32)>,
@@ -81,15 +85,16 @@ impl PlotContent {
         (x, y)
     }
 
-    /// The range of all curves with a margin. What isn't drawn may leave it.
+    /// The range of all curves with a margin. What is faded may leave it.
     fn range(&self, coordinate: impl Fn(&PlotPoint) -> f64) -> RangeInclusive<f64> {
-        let all = self.curves.iter().flat_map(Curve::drawn_part).map(coordinate);
         let start = if self.with_zero { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
         // Comparisons, since `f64::min` is a call of a function in a browser.
         let widened = |(low, high): (f64, f64), value: f64| {
             (if value < low { value } else { low }, if value > high { value } else { high })
         };
-        let (low, high) = all.fold(start, widened);
+        let full = self.curves.iter().flat_map(Curve::full_part).map(&coordinate).fold(start, widened);
+        let whole = self.curves.iter().flat_map(Curve::faded_part).map(&coordinate).fold(full, widened);
+        let (low, high) = with_faded(full, whole);
         if high - low <= 1e-12 {
             let middle = if low.is_finite() { low } else { 0.0 };
             return middle - 1.0..=middle + 1.0;
@@ -101,14 +106,16 @@ impl PlotContent {
 
     fn words(&self) -> String {
         let symbol = Symbol::parse(&self.symbol).plain();
-        let points = self.curves.first().map_or(&[][..], Curve::drawn_part);
+        let points = self.curves.first().map_or(&[][..], Curve::full_part);
         let extreme =
             |pick: fn(f64, f64) -> f64| points.iter().map(|point| point.y).reduce(pick).unwrap_or(0.0);
         let last = points.last().map_or(0.0, |point| point.y);
         let others: Vec<&str> = self.curves.iter().skip(1).map(|curve| curve.name).collect();
+        let is_faded = self.curves.first().is_some_and(|curve| !curve.faded_part().is_empty());
+        let until = if is_faded { "where it is no longer small" } else { "at the end" };
         let with = if others.is_empty() { String::new() } else { format!("; with {}", others.join(", ")) };
         format!(
-            "{symbol} in {} against {}: between {} and {}, {} at the end{with}",
+            "{symbol} in {} against {}: between {} and {}, {} {until}{with}",
             self.unit,
             if self.against.0 == "t" { "time".to_owned() } else { Symbol::parse(self.against.0).plain() },
             significant(extreme(f64::min), 3),
@@ -116,6 +123,21 @@ impl PlotContent {
             significant(last, 3),
         )
     }
+}
+
+/// What is shown of a range `whole` in which curves are in full colour over the range `full` only.
+///
+/// Up to [`MOST_GROWTH`] times the range in full colour all is shown. What grows beyond that leaves the plot: the more it does, the
+/// less of it is shown, so that the part in full colour is never pressed flat.
+fn with_faded(full: (f64, f64), whole: (f64, f64)) -> (f64, f64) {
+    let span = full.1 - full.0;
+    let growth = (whole.1 - whole.0) / span;
+    if !(growth > MOST_GROWTH && span > 0.0) {
+        return whole;
+    }
+    let shown = (MOST_GROWTH * MOST_GROWTH / growth).max(LEAST_GROWTH);
+    let beyond = (shown - 1.0) * span;
+    (whole.0.max(full.0 - beyond), whole.1.min(full.1 + beyond))
 }
 
 /// A small plot with its ranges as they are on screen.

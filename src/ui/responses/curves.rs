@@ -38,7 +38,7 @@ pub fn portrait(
     let motion = findings.motion_in(findings.motion()?.experiment.grid.steps * parts)?;
     let values = motion.values(across).into_iter().zip(motion.values(upward));
     let points = values.map(|(x, y)| PlotPoint::new(x / across_unit, y / upward_unit)).collect();
-    Some(Curve::new(name, points, color, pattern).drawn_for(motion.small_samples()))
+    Some(Curve::new(name, points, color, pattern).faded_after(motion.small_samples()))
 }
 
 /// An output of the nonlinear flight as a curve of time, where there is one.
@@ -90,7 +90,7 @@ fn timed(
     let dt = motion.response.dt;
     let point = |(k, value): (usize, &f64)| PlotPoint::new(k as f64 * dt, value / unit);
     let points = values.iter().enumerate().map(point).collect();
-    Curve::new(name, points, color, pattern).drawn_for(motion.small_samples())
+    Curve::new(name, points, color, pattern).faded_after(motion.small_samples())
 }
 
 /// The inputs as they are, their edges upright, with the symbol of each and the dimension of all; none where nothing moves.

@@ -11,7 +11,7 @@ mod time;
 
 use std::rc::Rc;
 
-use egui::{Rect, RichText, Ui};
+use egui::{Button, Rect, RichText, Ui};
 
 use super::derivatives::Rows;
 use super::theme::{self, Palette};
@@ -19,7 +19,6 @@ use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
-use crate::number::significant;
 use crate::scenario::view::{ResponseView, Tab};
 use crate::scenario::{Quantity, Scenario};
 use crate::words;
@@ -90,21 +89,13 @@ impl Responses {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        view: &ResponseView,
+        view: &mut ResponseView,
         findings: &Rc<Findings>,
         pinned: Option<&Rc<Findings>>,
         rows: Rows,
     ) {
-        if let Some(time) = findings.motion().and_then(|motion| motion.small_until)
-            && view.tab != Tab::Frequency
-        {
-            note_ui(
-                ui,
-                &format!(
-                    "From t = {} s this is no small disturbance any more: the linear model means nothing there. A smaller factor × keeps it small for longer.",
-                    significant(time, 3)
-                ),
-            );
+        if view.tab != Tab::Frequency {
+            large_ui(ui, view, findings);
         }
         if let Some(end) = view.shows_flight().then(|| end_of_flight(findings)).flatten() {
             note_ui(ui, &end);
@@ -121,6 +112,24 @@ impl Responses {
             Tab::Metrics => metrics::metrics_ui(ui, findings, pinned.map(Rc::as_ref)),
         }
     }
+}
+
+/// Where the motion is no small disturbance any more, and the nonlinear flight, where there is one.
+fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings) {
+    let length = findings.scenario().aircraft.length_unit;
+    let Some(limit) = findings.motion().and_then(|motion| words::small_disturbance::sentence(motion, length))
+    else {
+        return;
+    };
+    let is_drawn = matches!(view.tab, Tab::Time | Tab::Phase);
+    let next = if is_drawn { "the linear curve goes on, faded" } else { "the numbers are of the time before" };
+    ui.horizontal_wrapped(|ui| {
+        note_ui(ui, &format!("{limit}; {next}."));
+        if is_drawn && !view.nonlinear && findings.can_fly() {
+            let offer = Button::new(RichText::new("Draw the nonlinear flight").font(theme::small()));
+            view.nonlinear |= ui.add(offer).clicked();
+        }
+    });
 }
 
 /// Why there is no nonlinear flight, or where it ends.

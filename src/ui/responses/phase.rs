@@ -37,7 +37,7 @@ impl PhasePlots {
         for picture in pictures.iter_mut() {
             let now = cursor.and_then(|time| {
                 let k = (time / dt).round() as usize * parts(findings);
-                picture.curves.first()?.drawn_part().get(k).copied()
+                picture.curves.first()?.points.get(k).copied()
             });
             picture.dots = vec![(PlotPoint::new(0.0, 0.0), palette.weak)];
             picture.dots.extend(now.map(|place| (place, palette.text)));
