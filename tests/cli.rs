@@ -432,7 +432,8 @@ fn a_reader_that_stops_early_is_no_error() {
 
 #[test]
 fn a_motion_that_is_no_longer_small_is_marked_in_a_column_and_beside_the_csv() {
-    let arguments = ["respond", "navion", "--set", "cm_alpha=0.5", "--set", "time=6", "--steps", "60", "--csv"];
+    let arguments =
+        ["respond", "navion", "--set", "cm_alpha=0.5", "--set", "time=6", "--steps", "60", "--csv"];
     let Output { status, stdout, stderr } = run(&arguments);
     assert!(status.success());
     let note = String::from_utf8_lossy(&stderr).into_owned();

@@ -334,7 +334,11 @@ impl Row {
         let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
         if let Some(row) = self.sensitivity(findings) {
             influence::paint_bars(ui, row, findings.modes(), bars);
-            response.on_hover_text(influence::words(row, findings.modes(), (self.in_si, self.unit)));
+            response.on_hover_text(words::sensitivity::of_row(
+                row,
+                findings.modes(),
+                (self.in_si, self.unit),
+            ));
         }
     }
 
@@ -346,7 +350,7 @@ impl Row {
     /// How it moves each mode, in words.
     fn influence(&self, findings: &Findings) -> Option<String> {
         let row = self.sensitivity(findings)?;
-        Some(influence::words(row, findings.modes(), (self.in_si, self.unit)))
+        Some(words::sensitivity::of_row(row, findings.modes(), (self.in_si, self.unit)))
     }
 
     /// The way back, where the value has been edited.

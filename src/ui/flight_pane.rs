@@ -122,12 +122,13 @@ impl FlightPane {
         let time = time.min(flown.flown_until());
         let exaggerated = (exaggeration != 1.0).then(|| {
             format!(
-                "One mode alone, drawn {} × as large as it is; the figures are its own",
+                "One mode alone, drawn {} times as large as it is; the numbers are true",
                 trimmed(exaggeration, 3)
             )
         });
         let length = flown.scenario.aircraft.length_unit;
-        let stays = is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
+        let stays =
+            is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
         let note = stays.or(exaggerated);
         let Self { picture: widget, playback, models, .. } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };

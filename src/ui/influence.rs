@@ -6,21 +6,18 @@ use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::findings::{Findings, RowSensitivity, by_strength};
 use crate::flight::modes::mode::Mode;
-use crate::flight::modes::sensitivity::Sensitivity;
-use crate::number::significant;
 use crate::scenario::parameters::Group;
 use crate::scenario::{Page, Parameter};
 use crate::words;
+use crate::words::sensitivity::NOTHING;
 
-/// Of a bar beside a slider, with its gap.
+/// Width of a bar beside a slider, with its gap.
 pub const BAR_WIDTH: f32 = 5.5;
-/// A weaker influence is none.
-const NOTHING: f64 = 1e-6;
 /// The least length of a bar.
 const SHORTEST: f32 = 1.0;
 /// Derivatives in the list.
 const LISTED: usize = 6;
-/// In the list: height of a bar with its gap, room for a symbol.
+/// Height of a bar in the list with its gap, and room for a symbol.
 const LANE: f32 = 5.0;
 const SYMBOL_WIDTH: f32 = 64.0;
 
@@ -40,37 +37,6 @@ pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
         let top = bottom - tall.max(SHORTEST);
         let bar = Rect::from_min_max(egui::pos2(left, top), egui::pos2(left + BAR_WIDTH - 1.5, bottom));
         ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
-    }
-}
-
-/// What the bars of a parameter say, in words; its size in SI of the unit in which it is shown, and that unit.
-pub fn words(row: &RowSensitivity, modes: &[Mode], (in_si, unit): (f64, &str)) -> String {
-    let mut words = Vec::new();
-    for (mode, (strength, sensitivity)) in modes.iter().zip(row.strengths.iter().zip(&row.modes)) {
-        let name = words::mode::title(mode.naming.name);
-        match strength {
-            None => words.push(format!("{name}: two roots meet here, so there is no rate")),
-            Some(strength) if *strength < NOTHING => {}
-            Some(_) => words.push(format!("{name}: {}", change(mode, sensitivity, row.change))),
-        }
-    }
-    if words.is_empty() {
-        words.push("moves no pole".to_owned());
-    }
-    let more = significant(row.change / in_si, 2);
-    format!("{more} {unit} more of this:\n{}", words.join("\n"))
-}
-
-/// What a change of the parameter does to a mode, to first order.
-fn change(mode: &Mode, sensitivity: &Sensitivity, by: f64) -> String {
-    let signed =
-        |x: f64, unit: &str| format!("{}{}{unit}", if x >= 0.0 { "+" } else { "" }, significant(x, 2));
-    let Some(rate) = sensitivity.rate() else { return "no rate".to_owned() };
-    match (rate.damping_ratio, rate.natural_frequency, mode.natural_frequency()) {
-        (Some(zeta), Some(wn), Some(now)) => {
-            format!("ζ {}, ωₙ {}", signed(zeta * by, ""), signed(100.0 * wn * by / now, " %"))
-        }
-        _ => format!("λ {}", signed(rate.sigma() * by, " 1/s")),
     }
 }
 
@@ -122,7 +88,11 @@ impl Strongest {
                 }
                 let length = findings.scenario().aircraft.length_unit;
                 let unit = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-                response.on_hover_text(format!("{}: {}", parameter.name, words(row, modes, unit)));
+                response.on_hover_text(format!(
+                    "{}: {}",
+                    parameter.name,
+                    words::sensitivity::of_row(row, modes, unit)
+                ));
             }
         });
         wish

@@ -56,11 +56,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
             }
         });
     });
-    let note = if mode.is_oscillatory() {
-        "Each arrow turns once a period: further counter-clockwise is earlier. Rates are over |λ|."
-    } else {
-        "A real mode: all move together, to one side or the other. Rates are over |λ|."
-    };
+    let note = words::mode::phasors(mode.is_oscillatory());
     ui.label(RichText::new(note).font(theme::small()).color(palette.weak));
 }
 

@@ -9,6 +9,7 @@
 //! | [`approximation`] | textbook approximations |
 //! | [`disturbance`] | disturbances and their shapes |
 //! | `errors` | why something can't be had: `Display` of the errors |
+//! | [`frequency`] | frequency responses |
 //! | [`metrics`] | metrics of a motion as a whole |
 //! | [`measure`] | what can be read of a scenario, and why it can't |
 //! | [`mode`] | names of modes |
@@ -16,16 +17,19 @@
 //! | `notice` | what was left out of a link |
 //! | `placement` | why a dragged pole stops |
 //! | [`refusal`] | why a typed value was refused |
+//! | [`sensitivity`] | how a parameter moves the modes |
 //! | [`sliders`] | pages and groups of sliders |
 //! | [`small_disturbance`] | where a motion is no small disturbance any more |
 //! | [`stability`] | the verdicts on a plane as a whole |
 //! | [`status`] | how far the numbers can be trusted |
+//! | [`sweep`] | sweeps of a parameter |
 //! | [`verdict`] | levels of handling qualities and their verdicts |
 //! | [`view`] | parts of the page |
 
 pub mod approximation;
 pub mod disturbance;
 mod errors;
+pub mod frequency;
 pub mod measure;
 pub mod metrics;
 pub mod mode;
@@ -33,9 +37,11 @@ pub mod naming;
 mod notice;
 mod placement;
 pub mod refusal;
+pub mod sensitivity;
 pub mod sliders;
 pub mod small_disturbance;
 pub mod stability;
 pub mod status;
+pub mod sweep;
 pub mod verdict;
 pub mod view;

@@ -1,6 +1,9 @@
-//! Names of modes.
+//! Names of modes, and their telling numbers.
 
+use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::stability::Stability;
+use crate::number::{fixed, significant};
 
 /// The name as a title.
 pub const fn title(name: ModeName) -> &'static str {
@@ -57,5 +60,31 @@ pub const fn in_a_sentence(name: ModeName) -> &'static str {
         ModeName::CoupledRollSpiral => "coupled roll–spiral oscillation",
         ModeName::RollSubsidence => "roll mode",
         ModeName::Spiral => "spiral",
+    }
+}
+
+/// Damping and period of an oscillation, "ζ 0.69 · T 2.4 s"; the time to half or to double of a real root.
+pub fn numbers(mode: &Mode) -> String {
+    match (mode.damping_ratio(), mode.period(), mode.time_to_half(), mode.time_to_double()) {
+        (Some(zeta), Some(period), _, _) => {
+            let (zeta, period) = (fixed(zeta, 2), significant(period, 3));
+            if mode.is_oscillatory() && mode.stability == Stability::Unstable {
+                format!("ζ {zeta} · T {period} s · unstable")
+            } else {
+                format!("ζ {zeta} · T {period} s")
+            }
+        }
+        (_, _, Some(time), _) => format!("halves in {} s", significant(time, 2)),
+        (_, _, _, Some(time)) => format!("doubles in {} s", significant(time, 2)),
+        _ => "neutral".to_owned(),
+    }
+}
+
+/// How the phasors of a mode are read.
+pub const fn phasors(is_oscillatory: bool) -> &'static str {
+    if is_oscillatory {
+        "Each arrow turns once a period: further counter-clockwise is earlier. Rates are over |λ|."
+    } else {
+        "A real mode: all move together, to one side or the other. Rates are over |λ|."
     }
 }

@@ -1,6 +1,9 @@
 //! A frequency response as a table for people.
 
 use eigenwing::export::FrequencyReport;
+use eigenwing::flight::modes::mode_name::ModeName;
+use eigenwing::key::Keyed as _;
+use eigenwing::words::frequency as words;
 
 use crate::tables::{heading, number, stride, table};
 
@@ -19,20 +22,16 @@ pub fn frequency(report: &FrequencyReport) -> String {
     if step > 1 {
         text += &format!("Every {step}th of {} frequencies; --csv and --json give all.\n", frequency.len());
     }
-    match report.growing_mode {
-        Some(mode) => {
-            text +=
-                &format!("{mode} grows: no steady oscillation ever answers a sine, so there is no peak.\n");
-        }
-        None if report.peaks.is_empty() => text += "No peak: no oscillation of this output stands out.\n",
+    let name = |key: &str| ModeName::by_key(key);
+    match report.growing_mode_key.and_then(name) {
+        Some(mode) => text += &format!("{}\n", words::growing(mode)),
+        None if report.peaks.is_empty() => text += &format!("{}\n", words::NO_PEAK),
         None => {}
     }
     for peak in &report.peaks {
-        let at = number(peak.frequency);
-        text += &match peak.gain {
-            Some(gain) => format!("{} peak: {} {gain_unit} at {at} rad/s\n", peak.mode, number(gain)),
-            None => format!("{} peak: without bound at {at} rad/s\n", peak.mode),
-        };
+        let Some(mode) = name(peak.mode_key) else { continue };
+        let gain = peak.gain.map(|gain| format!("{} {gain_unit}", number(gain)));
+        text += &format!("{}\n", words::peak(mode, gain.as_deref(), &number(peak.frequency)));
     }
     text
 }

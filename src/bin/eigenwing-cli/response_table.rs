@@ -19,7 +19,8 @@ pub fn response(report: &ResponseReport) -> String {
         text += &format!("{sentence}.\n");
     }
     if let Some(time) = report.cut_at {
-        text += &format!("Cut at {} s, where the motion had outgrown any meaning.\n", number(time));
+        text +=
+            &format!("Cut at {} s, where the linear motion is too large to mean anything.\n", number(time));
     }
     text += &metrics(report.plane, &report.metrics);
     match &report.nonlinear {

@@ -5,7 +5,11 @@ use eigenwing::export::{
     AircraftReport, MeasureReport, MeasureValue, ParameterReport, PlaneOutcome, PlaneReport, Report,
     StiffnessReport, SweepChange, SweepPlane, SweepReport, ValueReport,
 };
+use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::modes::stability::Stability;
+use eigenwing::key::Keyed as _;
 use eigenwing::number::significant;
+use eigenwing::words;
 
 /// Digits of a number.
 pub const DIGITS: usize = 4;
@@ -219,12 +223,14 @@ pub fn sweep(report: &SweepReport) -> String {
             text += &format!("At {}: {error}\n", format!("{} {unit}", number(point.value)).trim_end());
         }
     }
-    report.changes.iter().fold(text, |text, change| {
-        let SweepChange { plane, stability, at, from, to, .. } = change;
+    for SweepChange { plane, stability, at, from, to, .. } in &report.changes {
         let at = format!("{} {unit}", number(*at));
-        let adverb = if *stability == "static" { "statically" } else { "dynamically" };
-        text + &format!("At {} the {plane} motion goes from {adverb} {from} to {to}.\n", at.trim_end())
-    })
+        let (plane, from, to) = (Plane::by_key(plane), Stability::by_key(from), Stability::by_key(to));
+        let (Some(plane), Some(from), Some(to)) = (plane, from, to) else { continue };
+        text += &words::sweep::change(at.trim_end(), plane, *stability == "static", from, to);
+        text += "\n";
+    }
+    text
 }
 
 /// Every plane at every point, with the value there and the name of the plane.

@@ -12,7 +12,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
-use crate::number::{fixed, round_up, significant};
+use crate::number::round_up;
 use crate::ui::chart::{Chart, View};
 use crate::ui::labels::{Place, Placement, RememberedPlace, Wanted, draw_leader};
 use crate::ui::theme::{self, Palette};
@@ -243,7 +243,8 @@ impl Map<'_> {
 
     /// What the map shows, in words.
     pub fn describe(&self) -> String {
-        let words = |mode: &Mode| format!("{} {}", words::mode::title(mode.naming.name), numbers(mode));
+        let words =
+            |mode: &Mode| format!("{} {}", words::mode::title(mode.naming.name), words::mode::numbers(mode));
         let modes: Vec<String> = self.modes.iter().map(words).collect();
         format!("Pole map, {}: {}", self.captions[0], modes.join("; "))
     }
@@ -328,7 +329,7 @@ fn texts(painter: &Painter, palette: &Palette, mode: &Mode) -> Vec<Lines> {
     let text = |text: String, font: FontId| painter.layout_no_wrap(text, font, color);
     let name = words::mode::title(mode.naming.name);
     let sizes = theme::sizes(painter.ctx());
-    let numbers = text(numbers(mode), FontId::proportional(sizes.chip));
+    let numbers = text(words::mode::numbers(mode), FontId::proportional(sizes.chip));
     let mut texts = vec![vec![text(name.to_owned(), theme::semibold(sizes.name)), numbers]];
     let font = || theme::semibold(sizes.small);
     let whole = text(name.to_owned(), font());
@@ -351,23 +352,6 @@ fn half(chart: &Chart, mode: &Mode) -> Rect {
         Stability::Stable => Rect::everything_left_of(boundary),
         Stability::Unstable => Rect::everything_right_of(boundary),
         Stability::Neutral => Rect::EVERYTHING,
-    }
-}
-
-/// "ζ 0.69 · 2.4 s" of an oscillation, the time to half or double of a real root.
-fn numbers(mode: &Mode) -> String {
-    let numbers = match (mode.damping_ratio(), mode.period()) {
-        (Some(zeta), Some(period)) => format!("ζ {} · T {} s", fixed(zeta, 2), significant(period, 3)),
-        _ => match (mode.time_to_half(), mode.time_to_double()) {
-            (Some(t), _) => format!("halves in {} s", significant(t, 2)),
-            (_, Some(t)) => format!("doubles in {} s", significant(t, 2)),
-            _ => "neutral".to_owned(),
-        },
-    };
-    if mode.is_oscillatory() && mode.stability == Stability::Unstable {
-        format!("{numbers} · unstable")
-    } else {
-        numbers
     }
 }
 
@@ -410,13 +394,21 @@ mod tests {
                 let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
                 let all = (0..modes.len()).collect();
                 let maps = [
-                    Map { captions: CAPTIONS[0], rect: rects[0], ranged: all, home: fast, modes },
+                    Map {
+                        captions: CAPTIONS[0],
+                        rect: rects[0],
+                        ranged: all,
+                        home: fast,
+                        modes,
+                        pinned: Vec::new(),
+                    },
                     Map {
                         captions: CAPTIONS[1],
                         rect: rects[1],
                         ranged: slow.clone(),
                         home: slow.clone(),
                         modes,
+                        pinned: Vec::new(),
                     },
                 ];
                 let charts = [0, 1].map(|i: usize| {

@@ -7,7 +7,7 @@ use super::legend::{self, Entry, Mark};
 use super::time::grid;
 use super::{CacheKey, Canvas, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
-use crate::findings::{Findings, FrequencyResponse};
+use crate::findings::FrequencyResponse;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::frequency_response::{FrequencyPoint, Peak};
 use crate::flight::motion::outputs::Output;
@@ -50,11 +50,13 @@ impl FrequencyPlots {
         let key = (CacheKey::of(canvas), output);
         let CachedPlots { shown, pictures, entries } =
             kept(&mut self.sheet, key, || CachedPlots::of(canvas, output, response));
-        match unsteady(findings) {
+        match findings.growing_mode().map(|mode| words::frequency::growing(mode.naming.name)) {
             Some(growing) => note_ui(ui, &growing),
             None => peaks_ui(ui, &response.peaks, *shown),
         }
-        if let Some(growing) = pinned.and_then(|pinned| unsteady(pinned)) {
+        if let Some(growing) = pinned
+            .and_then(|pinned| pinned.growing_mode().map(|mode| words::frequency::growing(mode.naming.name)))
+        {
             note_ui(ui, &format!("Pinned: {growing}"));
         }
         legend::legend_ui(ui, entries, canvas.beside);
@@ -137,15 +139,6 @@ impl CachedPlots {
     }
 }
 
-/// Why no steady oscillation answers a sine, where a mode grows.
-fn unsteady(findings: &Findings) -> Option<String> {
-    let growing = findings.growing_mode()?;
-    Some(format!(
-        "The {} grows: no steady oscillation ever answers a sine. The curves are only the transfer function at s = jω.",
-        words::mode::in_a_sentence(growing.naming.name)
-    ))
-}
-
 fn curve(
     response: &FrequencyResponse,
     name: &'static str,
@@ -164,20 +157,13 @@ fn peaks_ui(ui: &mut Ui, peaks: &[Peak], shown: Shown) {
     let (unit, input_unit) = shown.symbols;
     ui.horizontal_wrapped(|ui| {
         if peaks.is_empty() {
-            ui.label(
-                RichText::new("No peak: no oscillation of this output stands out.").font(theme::small()),
-            );
+            ui.label(RichText::new(words::frequency::NO_PEAK).font(theme::small()));
         }
         for peak in peaks {
-            let gain = peak.gain.map_or_else(
-                || "without bound".to_owned(),
-                |gain| format!("{} {unit} per {input_unit}", significant(gain / shown.gain, 3)),
-            );
-            let text = format!(
-                "{} peak: {gain} at {} rad/s",
-                words::mode::title(peak.mode),
-                significant(peak.frequency, 3)
-            );
+            let gain = peak
+                .gain
+                .map(|gain| format!("{} {unit} per {input_unit}", significant(gain / shown.gain, 3)));
+            let text = words::frequency::peak(peak.mode, gain.as_deref(), &significant(peak.frequency, 3));
             ui.label(
                 RichText::new(text)
                     .font(theme::semibold(theme::sizes(ui).small))

@@ -122,7 +122,8 @@ fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings) {
         return;
     };
     let is_drawn = matches!(view.tab, Tab::Time | Tab::Phase);
-    let next = if is_drawn { "the linear curve goes on, faded" } else { "the numbers are of the time before" };
+    let next =
+        if is_drawn { "the linear curve goes on, faded" } else { "the numbers are of the time before" };
     ui.horizontal_wrapped(|ui| {
         note_ui(ui, &format!("{limit}; {next}."));
         if is_drawn && !view.nonlinear && findings.can_fly() {
