@@ -24,7 +24,7 @@ fn in_steady_flight_the_four_forces_are_in_balance() {
             parameter.set(&mut scenario, parameter.get(&aircraft) * share);
             let findings = Findings::of(scenario);
             let Some(flown) = findings.trajectory(false) else { continue };
-            let Some(forces) = flown.pose(0.5, 1.0).forces else { continue };
+            let forces = flown.pose(0.5, 1.0).forces;
             for axis in 0..3 {
                 let sum: f64 = forces.iter().map(|force| force[axis]).sum();
                 assert!(sum.abs() < 1e-12, "{} {key}: {sum} along axis {axis}", aircraft.aircraft.key);
@@ -35,13 +35,30 @@ fn in_steady_flight_the_four_forces_are_in_balance() {
     assert!(balanced >= 10, "{balanced}");
 }
 
+/// Where a source gives neither mass nor drag too.
+#[test]
+fn every_aircraft_has_its_lift_and_its_weight() {
+    let mut without_drag = 0;
+    for scenario in scenarios() {
+        let findings = Findings::of(scenario.clone());
+        let flown = findings.trajectory(false).expect("a motion");
+        let size = |force: [f64; 3]| force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let [lift, weight, thrust, drag] = flown.pose(0.5, 1.0).forces.map(size);
+        let key = &scenario.aircraft.key;
+        assert!((lift - weight).abs() < 0.02 * weight && weight > 0.5, "{key}: {lift} {weight}");
+        assert!((thrust - drag).abs() < 0.15 * weight && drag > 0.01, "{key}: {thrust} {drag}");
+        without_drag += usize::from(!flown.is_drag_known());
+    }
+    assert!(without_drag >= 5, "{without_drag}");
+}
+
 #[test]
 fn more_weight_needs_more_lift() {
     let mut scenario = scenarios().next().expect("the Navion");
     let weight = |scenario: &Scenario| {
         let findings = Findings::of(scenario.clone());
         let flown = findings.trajectory(false).expect("a motion");
-        let [lift, weight, ..] = flown.pose(0.5, 1.0).forces.expect("coefficients");
+        let [lift, weight, ..] = flown.pose(0.5, 1.0).forces;
         assert!((lift[2] + weight[2]).abs() < 0.02);
         weight.iter().map(|x| x * x).sum::<f64>().sqrt()
     };

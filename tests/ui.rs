@@ -695,3 +695,26 @@ fn the_source_and_the_remarks_on_it_open_as_a_sheet() {
         assert!(harness.query_by_label_contains(remark).is_none());
     }
 }
+
+#[test]
+fn every_aircraft_shows_its_forces_with_numbers_and_says_what_no_source_gives() {
+    let (mut in_newtons, mut in_weights) = (0, 0);
+    let mut harness = page(WIDE);
+    for (file, _) in eigenwing::content::FILES {
+        let aircraft = file.strip_suffix(".toml").expect("a file of an aircraft");
+        open(&mut harness, &format!("v=1&ac={aircraft}"));
+        let images = harness.query_all_by_role(Role::Image).filter_map(|node| node.accesskit_node().label());
+        let sentence = images.into_iter().find(|label| label.contains(": pitch ")).expect("the aircraft");
+        assert!(sentence.contains(", weight "), "{sentence}");
+        let told = sentence.contains(", drag ");
+        in_newtons += usize::from(sentence.contains("N, weight"));
+        in_weights += usize::from(sentence.contains("lift 1.00 W"));
+        harness.get_by_label("Shown on the picture").click();
+        harness.run();
+        let remarks = harness.query_all_by_label_contains("The source gives").count();
+        assert_eq!(remarks, usize::from(!told || sentence.contains(" W")), "{aircraft}: {sentence}");
+        harness.key_press(Key::Escape);
+        harness.run();
+    }
+    assert!(in_newtons >= 5 && in_weights >= 1, "{in_newtons} {in_weights}");
+}

@@ -59,12 +59,14 @@ impl Pane {
             rates: [0.1, 0.1, 0.1],
             deflections: Deflections::default(),
             propeller_angle: 0.0,
-            forces: Some(Forces {
+            forces: Forces {
                 lift: [0.0, 0.0, -1.0],
                 weight: [0.0, 0.0, 1.0],
                 thrust: [0.12, 0.0, 0.0],
                 drag: [-0.12, 0.0, 0.0],
-            }),
+                unit: Some(12_233.0),
+                is_drag_known: true,
+            },
             path: &path,
             moments: &moments,
             is_one_mode: self.is_one_mode,

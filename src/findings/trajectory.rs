@@ -16,6 +16,9 @@ use crate::scenario::Scenario;
 /// The largest angle that a mode flown alone is made to show \[rad\].
 const EXAGGERATED_TO: f64 = 0.25;
 
+/// Drag over weight where no source gives it: for the eye, as of an aircraft that glides ten to one.
+const DRAG_FOR_THE_EYE: f64 = 0.1;
+
 /// A motion as the aircraft flies it on screen: the linear one, or the nonlinear where that is asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Trajectory<'a> {
@@ -44,8 +47,8 @@ pub struct Pose {
     pub steady_position: [f64; 3],
     /// δe, δa with the right aileron up positive, δr.
     pub deflections: [f64; 3],
-    /// Lift, weight, thrust and drag over the weight of the reference, in body axes of the fuselage; `None` where the drag is unknown.
-    pub forces: Option<[[f64; 3]; 4]>,
+    /// Lift, weight, thrust and drag over the weight of the reference, in body axes of the fuselage.
+    pub forces: [[f64; 3]; 4],
 }
 
 /// A moment that pushes or damps a motion, −1 to 1 of the largest of its kind in the motion.
@@ -125,7 +128,7 @@ impl Trajectory<'_> {
             position,
             steady_position,
             deflections: self.deflections(t),
-            forces: None,
+            forces: Default::default(),
         };
         pose.attitude[1] += trim.theta0() + fuselage;
         pose.forces = self.forces(&pose, values(Output::NormalLoad), values(Output::ForwardSpeed));
@@ -233,34 +236,54 @@ impl Trajectory<'_> {
         }
     }
 
-    /// In trim L = W cos γ₀, D from C_D and T = D + W sin γ₀; disturbed, the lift follows the load factor, D ≈ D₀ (1 + 2u/V),
-    /// and the thrust stays, along the steady flight as the trim has it.
-    fn forces(&self, pose: &Pose, load_change: f64, u: f64) -> Option<[[f64; 3]; 4]> {
+    /// Weight of the reference \[N\], in which forces are counted; `None` where no source gives the mass.
+    pub fn reference_weight(&self) -> Option<f64> {
+        let mass = match &self.scenario.edited.aircraft_model {
+            AircraftModel::Coefficients(aircraft_model) => Some(aircraft_model.reference.mass),
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => {
+                self.scenario.aircraft.particulars.mass
+            }
+        };
+        Some(mass? * STANDARD_GRAVITY)
+    }
+
+    /// Whether drag and thrust follow from the aircraft's figures; else they are drawn for the eye, each the other's equal in trim.
+    pub fn is_drag_known(&self) -> bool {
+        self.weight_and_drag().is_some()
+    }
+
+    /// Weight over that of the reference, and D/L from C_D/C_L.
+    fn weight_and_drag(&self) -> Option<(f64, f64)> {
         let AircraftModel::Coefficients(aircraft_model) = &self.scenario.edited.aircraft_model else {
             return None;
         };
         let derived = aircraft_model.derive().ok()?;
         let c = derived.coefficients.longitudinal;
+        let gravity = self.motion.model.trim.gravity / STANDARD_GRAVITY;
+        let weight = derived.airframe.mass / aircraft_model.reference.mass * gravity;
+        (c.cl > 0.0).then_some((weight, c.cd / c.cl))
+    }
+
+    /// In trim L = W cos γ₀, D from C_D and T = D + W sin γ₀; disturbed, the lift follows the load factor, D ≈ D₀ (1 + 2u/V),
+    /// and the thrust stays, along the steady flight as the trim has it.
+    fn forces(&self, pose: &Pose, load_change: f64, u: f64) -> [[f64; 3]; 4] {
+        let (weight, drag_per_lift) = self.weight_and_drag().unwrap_or((1.0, DRAG_FOR_THE_EYE));
         let trim = &self.motion.model.trim;
-        let weight = derived.airframe.mass / aircraft_model.reference.mass * trim.gravity / STANDARD_GRAVITY;
         let (sin_climb, cos_climb) = trim.gamma0.sin_cos();
-        if c.cl <= 0.0 {
-            return None;
-        }
         let lift = weight * (cos_climb + load_change);
-        let steady_drag = weight * cos_climb * c.cd / c.cl;
+        let steady_drag = weight * cos_climb * drag_per_lift;
         let drag = steady_drag * (1.0 + 2.0 * u / trim.speed);
         let thrust = steady_drag + weight * sin_climb;
         let ((sin_a, cos_a), (sin_b, cos_b)) = (pose.alpha.sin_cos(), pose.beta.sin_cos());
         let trim_alpha = trim.alpha0 + self.fuselage_incidence();
         let [phi, theta, _] = pose.attitude;
         let down = [-theta.sin(), theta.cos() * phi.sin(), theta.cos() * phi.cos()];
-        Some([
+        [
             [lift * sin_a, 0.0, -lift * cos_a],
             down.map(|x| weight * x),
             [thrust * trim_alpha.cos(), 0.0, thrust * trim_alpha.sin()],
             [-drag * cos_a * cos_b, -drag * sin_b, -drag * sin_a * cos_b],
-        ])
+        ]
     }
 
     /// Angle of attack of the fuselage beyond the α₀ of the model's axes \[rad\]: of stability axes all of it.

@@ -152,7 +152,11 @@ impl FlightPane {
             rates,
             deflections: Deflections { elevator, aileron, rudder },
             propeller_angle: (PROPELLER * time) as f32,
-            forces: pose.forces.map(|[lift, weight, thrust, drag]| Forces { lift, weight, thrust, drag }),
+            forces: {
+                let [lift, weight, thrust, drag] = pose.forces;
+                let (unit, is_drag_known) = (flown.reference_weight(), flown.is_drag_known());
+                Forces { lift, weight, thrust, drag, unit, is_drag_known }
+            },
             path: &path,
             moments: &moments,
             is_one_mode: flown.is_one_mode(),

@@ -145,7 +145,7 @@ const LIGHT: Palette = Palette {
     forces: [
         Color32::from_rgb(0x00, 0x6b, 0xa8),
         Color32::from_rgb(0x22, 0x30, 0x3c),
-        Color32::from_rgb(0x00, 0x77, 0x57),
+        Color32::from_rgb(0x6a, 0x5a, 0x00),
         Color32::from_rgb(0xae, 0x4c, 0x00),
     ],
     axes: [
@@ -220,7 +220,7 @@ const DARK: Palette = Palette {
     forces: [
         Color32::from_rgb(0x56, 0xb4, 0xe9),
         Color32::from_rgb(0xe8, 0xee, 0xf4),
-        Color32::from_rgb(0x2f, 0xc9, 0x9a),
+        Color32::from_rgb(0xe6, 0xd0, 0x4a),
         Color32::from_rgb(0xff, 0x8b, 0x3d),
     ],
     axes: [

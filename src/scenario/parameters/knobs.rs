@@ -18,7 +18,7 @@ pub(super) const ROWS: [Parameter; 11] = [
             C_lr.",
         sign: "Positive is aft and takes pitch stiffness away; aft of the neutral point the aircraft is \
             statically unstable.",
-        origin: "C_mα = C_Lα (h − h_n); forces and velocities carried to the new centre as by a rigid body. \
+        origin: "C_mα = C_Lα (x_cg − x_n)/c, x_n the neutral point; forces and velocities carried to the new centre as by a rigid body. \
             Inertias stay.",
         place: Place::Knob(|k| &mut k.cg_shift),
         extent: Extent::Fixed { low: -0.3, high: 0.4 },
@@ -115,7 +115,7 @@ pub(super) const ROWS: [Parameter; 11] = [
         meaning: "How much further the wing tips are bent up than in the reference. It moves C_lβ, the \
             dihedral effect.",
         sign: "Positive is tips up: it steadies the spiral and takes damping from the Dutch roll.",
-        origin: "C_lβ = −(C_Lα/6) (1 + 2λ)/(1 + λ) Γ, strip theory of a tapered wing.",
+        origin: "C_lβ = −(C_Lα/6) (1 + 2 taper)/(1 + taper) Γ, strip theory of a tapered wing.",
         place: Place::Knob(|k| &mut k.dihedral_change),
         extent: Extent::Fixed { low: -0.175, high: 0.175 },
     },

@@ -32,6 +32,8 @@ pub(super) enum Words {
     Name(&'static str),
     /// A number with its unit.
     Value(String),
+    /// A force: its name, and its size where that is known.
+    Force(&'static str, Option<String>),
 }
 
 #[derive(Debug)]
@@ -76,9 +78,9 @@ impl Labels {
         for label in self.0.iter().filter(|label| pane.contains(label.tip.at)) {
             let galley = painter.layout_job(label.job(is_small, sizes));
             let wanted = self.wanted(label, &galley);
-            let kept = before.get(&label.symbol).copied();
+            let kept = before.get(label.key()).copied();
             let Some((place, kept)) = placement.label(&wanted, kept, true) else { continue };
-            now.insert(label.symbol.clone(), kept);
+            now.insert(label.key().to_owned(), kept);
             if let Some(leader) = place.leader {
                 draw_leader(painter, leader, palette);
             }
@@ -105,17 +107,27 @@ impl Labels {
 }
 
 impl Label {
+    /// What it is known by from one frame to the next.
+    fn key(&self) -> &str {
+        match &self.words {
+            Words::Force(name, _) => name,
+            Words::None | Words::Name(_) | Words::Value(_) => &self.symbol,
+        }
+    }
+
     /// Symbol and words; without a name in a small pane.
     fn job(&self, is_small: bool, sizes: &theme::Sizes) -> LayoutJob {
         let mut job = Symbol::parse(&self.symbol).job(sizes.inline_symbol, self.color);
         let words = match &self.words {
             Words::None => None,
-            Words::Name(name) => (!is_small).then_some(*name),
-            Words::Value(value) => Some(value.as_str()),
+            Words::Name(name) => (!is_small).then(|| (*name).to_owned()),
+            Words::Value(value) => Some(value.clone()),
+            Words::Force(name, None) => Some((*name).to_owned()),
+            Words::Force(name, Some(size)) => Some(format!("{name} {size}")),
         };
         if let Some(words) = words {
             let gap = if self.symbol.is_empty() { 0.0 } else { 4.0 };
-            job.append(words, gap, TextFormat::simple(FontId::proportional(sizes.small), self.color));
+            job.append(&words, gap, TextFormat::simple(FontId::proportional(sizes.small), self.color));
         }
         job
     }

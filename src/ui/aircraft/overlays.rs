@@ -208,14 +208,12 @@ impl OverlayPainter<'_> {
     }
 
     fn forces(&mut self) {
-        let Some(forces) = self.picture.forces else { return };
-        let all = [forces.lift, forces.weight, forces.thrust, forces.drag];
-        let names = [("L", "lift"), ("W", "weight"), ("T", "thrust"), ("D", "drag")];
         let unit = WEIGHT * self.radius();
-        for ((force, (symbol, name)), color) in all.into_iter().zip(names).zip(self.palette.forces) {
+        for ((name, force, size), color) in self.picture.forces.all().into_iter().zip(self.palette.forces) {
             let along = self.rotation * point(force) * unit;
             if along.norm() > 0.01 * unit {
-                self.arrow(along, (color, 3.4), (symbol, Words::Name(name)));
+                // In words: L is a rolling moment too, and T a period.
+                self.arrow(along, (color, 3.4), ("", Words::Force(name, size)));
             }
         }
     }
@@ -256,7 +254,12 @@ impl OverlayPainter<'_> {
             let pen = self.pen(moment.color, 3.4);
             let tip =
                 arc(self.painter, &self.lens, pen, (Point::zeros(), from * r, to * r), FULL_MOMENT * size);
-            self.name(tip, moment.symbol, Words::None, moment.color);
+            let about = match moment.axis {
+                Axis::X => "roll",
+                Axis::Y => "pitch",
+                Axis::Z => "yaw",
+            };
+            self.name(tip, moment.symbol, Words::Name(about), moment.color);
         }
     }
 
@@ -303,7 +306,7 @@ impl OverlayPainter<'_> {
 
     /// Four vectors head to tail: in steady flight they close.
     pub fn force_polygon(&self, place: Rect) {
-        let Some(forces) = self.picture.forces else { return };
+        let forces = self.picture.forces;
         // Seen from the right: x to the right, z downwards, in Earth's upright plane of the heading.
         let attitude = self.rotation;
         let (sin, cos) = finite(self.picture.attitude.psi).sin_cos();

@@ -35,8 +35,8 @@ pub struct Picture<'a> {
     pub deflections: Deflections,
     /// How far the propellers have turned \[rad\].
     pub propeller_angle: f32,
-    /// The four forces, where they are known.
-    pub forces: Option<Forces>,
+    /// The four forces.
+    pub forces: Forces,
     /// Where it has been: north, east, down, the oldest first, up to where it is \[m\].
     pub path: &'a [[f64; 3]],
     /// Moments to draw.
@@ -84,7 +84,54 @@ pub struct Forces {
     pub thrust: [f64; 3],
     /// Drag D.
     pub drag: [f64; 3],
+    /// The weight that they are counted in \[N\], where it is known.
+    pub unit: Option<f64>,
+    /// Whether thrust and drag are numbers, or drawn for the eye.
+    pub is_drag_known: bool,
 }
+
+impl Forces {
+    /// All, each with its name and its size in words.
+    pub(super) fn all(&self) -> [(&'static str, [f64; 3], Option<String>); 4] {
+        let Self { lift, weight, thrust, drag, .. } = *self;
+        let known = |force: [f64; 3]| Some(self.size(force));
+        let for_the_eye = |force: [f64; 3]| self.is_drag_known.then(|| self.size(force));
+        [
+            ("lift", lift, known(lift)),
+            ("weight", weight, known(weight)),
+            ("thrust", thrust, for_the_eye(thrust)),
+            ("drag", drag, for_the_eye(drag)),
+        ]
+    }
+
+    /// In newtons; in weights where those are unknown.
+    fn size(&self, force: [f64; 3]) -> String {
+        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        match self.unit.map(|unit| size * unit) {
+            Some(newtons) if newtons >= KILONEWTONS => format!("{} kN", significant(newtons / 1000.0, 3)),
+            Some(newtons) => format!("{} N", significant(newtons, 3)),
+            None => format!("{} W", fixed(size, 2)),
+        }
+    }
+
+    /// What of them isn't in the aircraft's source.
+    pub(super) fn remark(&self) -> Option<&'static str> {
+        match (self.unit.is_some(), self.is_drag_known) {
+            (true, true) => None,
+            (false, true) => Some("The source gives no mass: forces are in weights W."),
+            (true, false) => Some(
+                "The source gives no drag: it is drawn as a tenth of the weight, and the thrust as its equal.",
+            ),
+            (false, false) => Some(
+                "The source gives neither mass nor drag: forces are in weights W, and drag is drawn as a tenth \
+                 of the weight, the thrust as its equal.",
+            ),
+        }
+    }
+}
+
+/// From here on a force is in kilonewtons \[N\].
+const KILONEWTONS: f64 = 1e4;
 
 /// A moment that pushes or damps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,6 +198,11 @@ impl Picture<'_> {
             degrees(beta),
             significant(height, 3),
         );
+        for (name, _, size) in self.forces.all() {
+            if let Some(size) = size {
+                sentence.push_str(&format!(", {name} {size}"));
+            }
+        }
         if let Some(note) = self.note {
             sentence.push_str(". ");
             sentence.push_str(note);

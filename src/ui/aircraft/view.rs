@@ -4,8 +4,8 @@ use egui::accesskit::Role;
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::style::StyleModifier;
 use egui::{
-    Align2, CornerRadius, Key, PopupCloseBehavior, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind,
-    Ui, Vec2, WidgetInfo,
+    Align2, CornerRadius, Key, PopupCloseBehavior, Pos2, Rect, Response, RichText, Sense, Shape, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo,
 };
 
 use super::landscape::Ground;
@@ -28,6 +28,8 @@ const STEP: f32 = 0.12;
 const ZOOM_STEP: f32 = 1.15;
 /// The aircraft strays no farther from the middle than this, in radii.
 const FARTHEST_ASTRAY: f32 = 0.2;
+/// Width of a remark in the list of what is shown.
+const REMARK: f32 = 200.0;
 /// Side of the polygon of forces.
 const POLYGON: f32 = 84.0;
 
@@ -40,6 +42,8 @@ pub struct AircraftView {
     forces_chosen: bool,
     /// Whether the forces were shown before a mode was flown alone.
     forces_before: Option<bool>,
+    /// What of the forces isn't in the aircraft's source.
+    remark: Option<&'static str>,
 }
 
 impl AircraftView {
@@ -70,6 +74,10 @@ impl AircraftView {
                 for (words, is_shown) in overlays.boxes() {
                     ui.checkbox(is_shown, words);
                 }
+                if let Some(remark) = self.remark {
+                    ui.set_max_width(REMARK);
+                    ui.label(RichText::new(remark).font(theme::small()).color(Palette::of(ui).weak));
+                }
                 self.forces_chosen |= overlays.forces != forces;
             });
             menu.accessible_name("Shown on the picture").on_hover_text("What is drawn over the aircraft");
@@ -84,6 +92,7 @@ impl AircraftView {
     pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, picture: &Picture<'_>) -> Response {
         let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         steer(ui, &response, &mut view.camera);
+        self.remark = picture.forces.remark();
         // The forces would hide what a mode does; but what a person has chosen stands.
         let before = self.was_one_mode.replace(picture.is_one_mode);
         if before.is_some_and(|before| before != picture.is_one_mode) && !self.forces_chosen {
@@ -172,7 +181,7 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
     easel.draw(overlays);
 
     let mut taken = Vec::new();
-    if overlays.forces && picture.forces.is_some() && pane.width() > 4.0 * POLYGON {
+    if overlays.forces && pane.width() > 4.0 * POLYGON {
         let corner = pane.left_bottom() + Vec2::new(8.0, -8.0 - POLYGON);
         let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
         painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));

@@ -9,7 +9,7 @@ mod silhouette;
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-use egui::{Painter, Pos2, Rect, Stroke, Vec2};
+use egui::{Painter, Pos2, Rect, Shape, Vec2};
 
 use super::theme::Palette;
 
@@ -271,9 +271,9 @@ impl Placement {
     }
 }
 
-/// Draws a leader: thinner and fainter than anything that it could be taken for, in no colour that has a meaning.
+/// Draws a leader: dotted, and fainter than anything that it could be taken for, in no colour that has a meaning.
 pub fn draw_leader(painter: &Painter, ends: [Pos2; 2], palette: &Palette) {
-    painter.line_segment(ends, Stroke::new(0.8, palette.weak.gamma_multiply(0.8)));
+    painter.extend(Shape::dotted_line(&ends, palette.weak.gamma_multiply(0.8), 3.0, 0.6));
 }
 
 /// What a place costs whatever lies there: where a label belongs to one side, its way from there.
