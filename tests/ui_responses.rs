@@ -74,7 +74,7 @@ fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_numbers() {
         harness.get_by_label_contains("dB of g per deg");
         harness.get_by_role_and_label(Role::Button, "Numbers").click();
         harness.run();
-        harness.get_by_label_contains("Phugoid, first swing of the height");
+        harness.get_by_label_contains("Height from the phugoid’s first turning point");
     }
 }
 
@@ -92,7 +92,7 @@ fn metrics_end_where_the_linear_model_does() {
     let motion = motion(&harness);
     let end = motion.small_until.expect("it grows");
     assert!(end < 30.0, "{end}");
-    let line = said(&harness, "Largest change of load factor");
+    let line = said(&harness, "normal load factor n_z: beyond");
     assert!(line.ends_with("still growing where the linear model ends"), "{line}");
     let value =
         line.split(' ').find_map(|word| word.replace('−', "-").parse::<f64>().ok()).expect("a number");
@@ -115,10 +115,10 @@ fn a_peak_at_the_end_of_the_linear_model_is_no_peak() {
 fn in_turbulence_metrics_are_averages() {
     let mut harness = page(WIDE);
     open(&mut harness, "v=1&ac=navion&tab=figures");
-    assert_eq!(harness.query_all_by_label_contains("first swing").count(), 1);
+    assert_eq!(harness.query_all_by_label_contains("first turning point").count(), 1);
     assert_eq!(harness.query_all_by_label("r.m.s.").count(), 0);
     open(&mut harness, "v=1&ac=navion&lon.source=turbulence&tab=figures");
-    assert_eq!(harness.query_all_by_label_contains("first swing").count(), 0);
+    assert_eq!(harness.query_all_by_label_contains("first turning point").count(), 0);
     assert_eq!(harness.query_all_by_label("r.m.s.").count(), 1);
     assert_eq!(harness.query_all_by_label("Rise").count(), 0);
 }
