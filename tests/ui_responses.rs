@@ -92,7 +92,7 @@ fn metrics_end_where_the_linear_model_does() {
     let motion = motion(&harness);
     let end = motion.small_until.expect("it grows");
     assert!(end < 30.0, "{end}");
-    let line = said(&harness, "normal load factor n_z: beyond");
+    let line = said(&harness, "load factor");
     assert!(line.ends_with("still growing where the linear model ends"), "{line}");
     let value =
         line.split(' ').find_map(|word| word.replace('−', "-").parse::<f64>().ok()).expect("a number");

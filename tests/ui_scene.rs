@@ -228,16 +228,16 @@ fn a_mode_is_flown_on_where_its_place_changes() {
 
 #[test]
 fn undo_takes_back_a_pin_and_redo_brings_it_again() {
-    let mut harness = page("v=1&ac=navion&speed=60");
+    let mut harness = page("v=1&ac=navion&cn_beta=0.09");
     press(&mut harness, PIN);
     harness.get_by_label_contains("pinned: Navion");
     // At once, with no pause for the history.
     press(&mut harness, "Undo");
     assert_eq!(harness.query_all_by_label_contains("pinned: Navion").count(), 0);
-    assert_eq!(link(&mut harness), "v=1&ac=navion&speed=60");
+    assert_eq!(link(&mut harness), "v=1&ac=navion&cn_beta=0.09");
     press(&mut harness, "Redo");
     harness.get_by_label_contains("pinned: Navion");
-    assert_eq!(link(&mut harness), "v=1&ac=navion&speed=60&pin.ac=navion&pin.speed=60");
+    assert_eq!(link(&mut harness), "v=1&ac=navion&cn_beta=0.09&pin.ac=navion&pin.cn_beta=0.09");
 }
 
 #[test]
