@@ -28,9 +28,9 @@ pub struct Aircraft {
     pub source: String,
     /// Everything a person may edit, at the source's values.
     pub aircraft_model: AircraftModel,
-    /// What follows from `study`.
+    /// Derivatives and models that follow from it.
     pub baseline: Baseline,
-    /// What is known of the data of each plane, where there are any.
+    /// Status and source of the data of each plane, where there are any.
     pub plane_notes: ByPlane<Option<PlaneNotes>>,
     /// Mass and geometry as far as the source has them, SI, for drawing and reading; the study computes with its own.
     pub particulars: Particulars,

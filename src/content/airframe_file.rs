@@ -28,7 +28,7 @@ const AXES: [(&str, Axes); 2] = [("stability", Axes::Stability), ("body", Axes::
 const INERTIA_AXES: [(&str, InertiaAxes); 2] =
     [("body", InertiaAxes::Body), ("stability", InertiaAxes::Stability)];
 
-/// What an aircraft does for a positive control as its source prints it, and whether that is our own sense.
+/// The motion for a positive control as its source prints it, and whether that is our own sense.
 const AILERONS: [(&str, bool); 2] = [("rolls right", true), ("rolls left", false)];
 const RUDDERS: [(&str, bool); 2] = [("nose left", true), ("nose right", false)];
 

@@ -27,7 +27,7 @@ pub struct FrequencyRequest {
     /// `longitudinal` or `lateral`; by default that of the disturbance, else that of the output, else the aircraft's first.
     #[cfg_attr(test, ts(optional, type = "PlaneName"))]
     pub plane: Option<String>,
-    /// What disturbs by one channel, a control or a gust; by default the plane's first, elevator or rudder.
+    /// Key of a control or a gust, which disturbs by one channel; by default the plane's first, elevator or rudder.
     #[cfg_attr(test, ts(optional, type = "ControlOrGust"))]
     pub disturbance: Option<String>,
     /// Key of an output, as a motion names them; by default the pitch rate `q` or the sideslip `beta`.

@@ -27,7 +27,7 @@ pub struct ResponseRequest {
     /// `longitudinal` or `lateral`; by default that of the disturbance, and the aircraft's first where it can be both.
     #[cfg_attr(test, ts(optional, type = "PlaneName"))]
     pub plane: Option<String>,
-    /// What disturbs; by default the plane's first, elevator or rudder. Its size is a parameter.
+    /// Key of the disturbance; by default the plane's first, elevator or rudder. Its size is a parameter.
     #[cfg_attr(test, ts(optional, type = "Disturbance"))]
     pub disturbance: Option<String>,
     /// Its shape in time, of those it can have; by default that of the page.

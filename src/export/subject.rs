@@ -172,8 +172,8 @@ fn chosen<T: Keyed>(key: Option<&str>, field: &str, usual: T) -> Result<T, Expor
     })
 }
 
-/// What is set on an aircraft \[SI\]: every parameter that differs from its file. What is an offset on what follows from others has
-/// their rounding in its last digit, which is left out.
+/// Values set on an aircraft \[SI\]: every parameter that differs from its file. An offset on what follows from others has their
+/// rounding in its last digit, which is left out.
 pub(super) fn set_on(scenario: &Scenario) -> BTreeMap<String, f64> {
     let edited = parameters().filter(|p| p.applies(scenario) && p.is_edited(scenario));
     let value = |p: &Parameter| {

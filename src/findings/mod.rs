@@ -89,7 +89,7 @@ pub enum Remark {
 }
 
 impl Findings {
-    /// What follows from a scenario; nothing is computed yet.
+    /// The findings of a scenario; nothing is computed yet.
     pub fn of(scenario: Scenario) -> Self {
         let outputs = Output::of(scenario.plane).len();
         Self {
@@ -107,7 +107,7 @@ impl Findings {
         }
     }
 
-    /// What follows from a scenario that has come out of this one by an edit: a locus is found again only if it is another.
+    /// The findings of a scenario that has come out of this one by an edit: a locus is found again only if it is another.
     pub fn after(&self, scenario: Scenario) -> Self {
         Self { locus: self.locus.clone(), ..Self::of(scenario) }
     }
@@ -253,7 +253,7 @@ impl Findings {
         })
     }
 
-    /// What a person should know before they believe the numbers.
+    /// Remarks that a person should know before they believe the numbers.
     pub fn remarks(&self) -> Vec<Remark> {
         let gravity = self.analysis().as_ref().ok().and_then(|analysis| analysis.gravity);
         gravity.filter(|gravity| !gravity.is_plausible()).map(Remark::MixedUnits).into_iter().collect()

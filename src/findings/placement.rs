@@ -25,7 +25,7 @@ const AT_END: f64 = 1e-6;
 const FOLLOWED: u32 = 24;
 const HALVINGS: u32 = 10;
 
-/// What became of the question.
+/// The answer to a pole that is to be placed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
     /// The aircraft with the chosen derivatives changed, and nothing else.

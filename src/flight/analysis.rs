@@ -32,7 +32,7 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 pub struct GravityCheck {
     /// g cos θ₀ / U₀ of the model \[1/s\]; free of any unit of length.
     pub rate: f64,
-    /// What it would be with standard gravity at the same speed \[1/s\].
+    /// The rate with standard gravity at the same speed \[1/s\].
     pub expected_rate: f64,
 }
 
@@ -77,7 +77,7 @@ pub struct Margins {
 pub struct Motion {
     /// The model that moves.
     pub model: PlaneModel,
-    /// What it is put through.
+    /// The experiment that it is put through.
     pub experiment: Experiment,
     /// Its equations with all that drives them.
     pub forced: DrivenSystem,

@@ -8,7 +8,7 @@ use crate::key::keys;
 /// Every disturbance begins here, so that the undisturbed flight before it can be seen \[s\].
 pub const START: f64 = 1.0;
 
-/// What disturbs the aircraft.
+/// The source of a disturbance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// The elevator.
@@ -122,10 +122,10 @@ pub struct Sizes {
     pub time: f64,
 }
 
-/// What disturbs one plane.
+/// The disturbance of one plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// What moves.
+    /// The control or the air that moves.
     pub source: Source,
     /// The shape, if a control moves.
     pub control_shape: Shape,
@@ -138,7 +138,7 @@ pub struct Choice {
 /// A disturbance of each plane and its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disturbance {
-    /// What disturbs each plane.
+    /// The disturbance of each plane.
     pub choices: ByPlane<Choice>,
     /// How strongly, and for how long.
     pub sizes: Sizes,
@@ -147,7 +147,7 @@ pub struct Disturbance {
 }
 
 impl Source {
-    /// Those of a plane, in the order of the chooser.
+    /// The sources of a plane, in the order of the chooser.
     pub const fn of(plane: Plane) -> &'static [Self] {
         match plane {
             Plane::Longitudinal => &[

@@ -31,7 +31,7 @@ pub struct Scenario {
     pub edited: EditedModel,
     /// The plane of motion that is studied.
     pub plane: Plane,
-    /// What disturbs it, and for how long it is watched.
+    /// The disturbance, and for how long the motion is watched.
     pub disturbance: Disturbance,
     /// Class of aircraft and phase of flight that handling qualities are judged for; without one they aren't.
     pub task: Option<Task>,

@@ -17,9 +17,9 @@ pub struct View {
     pub page: Page,
     /// The pane alone beside the sliders.
     pub maximised: Option<Pane>,
-    /// What is marked on the pole map.
+    /// Marks on the pole map.
     pub marks: Marks,
-    /// What the cards of the modes show.
+    /// Details that the cards of the modes show.
     pub details: Details,
     /// How the motion is shown.
     pub response: ResponseView,
@@ -60,7 +60,7 @@ keys! {
     }
 }
 
-/// What is marked on the pole map beside the poles.
+/// Marks on the pole map beside the poles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
     /// Where the textbook approximations put the poles.
@@ -74,7 +74,7 @@ pub struct Marks {
 pub struct Details {
     /// The shape of the mode.
     pub shape: bool,
-    /// What sets its level.
+    /// The paragraphs that set its level.
     pub levels: bool,
     /// Its textbook approximations.
     pub approximations: bool,
@@ -160,7 +160,7 @@ impl Tab {
 pub struct FlightView {
     /// From where.
     pub camera: Camera,
-    /// What is drawn over it.
+    /// Arrows, axes and paths drawn over it.
     pub overlays: Overlays,
     /// How it is played.
     pub pace: Pace,
@@ -283,7 +283,7 @@ impl Camera {
     }
 }
 
-/// What is drawn over the aircraft.
+/// Arrows, axes and paths drawn over the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Overlays {
     /// Axes of the body x, y, z.

@@ -40,7 +40,7 @@ pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
     }
 }
 
-/// What a person does with the list.
+/// A click or a touch on the list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ListClick {
     /// Key of the slider that is pointed at.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use egui::{Context, Id};
 
-/// What is called `name`: that of the frame before if it followed from the same `key`, or else what `make` gives.
+/// The value called `name`: that of the frame before if it followed from the same `key`, or else a new one by `make`.
 pub fn kept<K, T>(ctx: &Context, name: impl Hash + Debug, key: K, make: impl FnOnce() -> T) -> Arc<T>
 where
     K: Clone + PartialEq + Send + Sync + 'static,

@@ -8,7 +8,7 @@ use super::theme::{self, Palette};
 use crate::scenario::ValueError;
 use crate::words;
 
-/// What a person is typing, or has typed in vain.
+/// The text that a person is typing, or has typed in vain.
 #[derive(Clone, Debug)]
 struct Draft {
     text: String,
@@ -17,7 +17,7 @@ struct Draft {
     beside: String,
 }
 
-/// What came of one frame.
+/// The outcome of one frame.
 #[derive(Debug)]
 pub struct NumberField {
     /// The field.

@@ -99,9 +99,9 @@ pub struct Palette {
 /// The colour of a mode in its two tones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Tone {
-    /// Of crosses, curves and bars: 3:1 on every ground.
+    /// Contrast of crosses, curves and bars: 3:1 on every ground.
     mark: Color32,
-    /// Of words and numbers: 4.5:1 on every ground.
+    /// Contrast of words and numbers: 4.5:1 on every ground.
     text: Color32,
 }
 

@@ -17,7 +17,7 @@ use crate::words;
 /// Room for the arrows and their symbols.
 const SIZE: Vec2 = Vec2::new(118.0, 108.0);
 const RADIUS: f32 = 30.0;
-/// What a leader costs beside its length: rather than that a symbol stands far aside.
+/// Cost of a leader beside its length: rather than that a symbol stands far aside.
 const LEADER: f32 = 30.0;
 /// Shorter arrows are told in numbers only.
 const SHOWN: f64 = 0.1;

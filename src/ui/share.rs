@@ -15,7 +15,7 @@ const SHOWN: usize = 4;
 /// State of links on screen.
 #[derive(Debug, Default)]
 pub struct Share {
-    /// What stands before the `#` of a link; empty in a window, which has no address.
+    /// The address before the `#` of a link; empty in a window, which has no address.
     pub address: String,
     notices: Vec<Notice>,
     /// Time of egui at which the word goes \[s\].

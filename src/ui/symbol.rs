@@ -30,7 +30,7 @@ const DOT_ABOVE: char = '\u{307}';
 const SCRIPT_SIZE: f32 = 0.7;
 const SUBSCRIPT_DROP: f32 = 0.17;
 const SUPERSCRIPT_RISE: f32 = 0.36;
-/// Of the faces in [`fonts`]: what a line needs above and below its baseline.
+/// Room that a line of the faces in [`fonts`] needs above and below its baseline.
 const ASCENT: f32 = 0.969;
 const DESCENT: f32 = 0.241;
 
@@ -87,7 +87,7 @@ enum Level {
     Raised,
 }
 
-/// What is set alike.
+/// A piece that is set alike.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Piece {
     text: String,
@@ -279,7 +279,7 @@ mod tests {
         }
     }
 
-    /// Of its letters the upright face has no more: another would be drawn in another face.
+    /// The upright face has only these letters: another would be drawn in another face.
     #[test]
     fn the_upright_face_has_the_words_that_are_set_in_it() {
         let mut faces = fonts::definitions();

@@ -13,7 +13,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::scenario::Scenario;
 use crate::words;
 
-/// What the bar has to know beside the scenario.
+/// Everything that the bar has to know.
 #[derive(Clone, Copy, Debug)]
 pub struct Bar<'a> {
     /// Every aircraft that can be chosen.

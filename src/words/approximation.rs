@@ -42,7 +42,7 @@ pub const fn formula(name: ApproximationName) -> &'static str {
     }
 }
 
-/// What it leaves out, in a sentence.
+/// The terms and motions that it leaves out, in a sentence.
 pub const fn neglects(name: ApproximationName) -> &'static str {
     match name {
         ApproximationName::ShortPeriodTwoStates => "Changes of speed: u is held at zero.",
@@ -82,7 +82,7 @@ pub const fn neglects(name: ApproximationName) -> &'static str {
 /// Relative error from which on an approximation is none.
 pub const BEYOND_USE: f64 = 1.0;
 
-/// What an approximation gives beside the exact mode: "two degrees of freedom (w, q): ωₙ 3.60 rad/s, exact 3.61, −0.2 %; ζ …".
+/// The numbers of an approximation beside those of the exact mode: "two degrees of freedom (w, q): ωₙ 3.60 rad/s, exact 3.61, −0.2 %; ζ …".
 pub fn values(approximation: &Approximation) -> String {
     let name = name(approximation.name);
     let beside = |symbol: &str, unit: &str, given: f64, exact: Option<f64>, error: Option<f64>| {

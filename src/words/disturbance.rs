@@ -2,7 +2,7 @@
 
 use crate::scenario::{Choice, Shape, Source};
 
-/// What disturbs the aircraft.
+/// The source of a disturbance.
 pub const fn source(source: Source) -> &'static str {
     match source {
         Source::Elevator => "Elevator",

@@ -30,7 +30,7 @@ pub fn of_row(row: &RowSensitivity, modes: &[Mode], (in_si, unit): (f64, &str)) 
     format!("{more} {unit} more of this:\n{}", lines.join("\n"))
 }
 
-/// What a change of the parameter does to a mode, to first order.
+/// The effect of a change of the parameter on a mode, to first order.
 fn line(name: &str, mode: &Mode, sensitivity: &Sensitivity, by: f64) -> String {
     let signed = |x: f64| format!("{}{}", if x >= 0.0 { "+" } else { "" }, significant(x, 2));
     let Some(rate) = sensitivity.rate() else { return format!("{name}: no rate") };

@@ -31,7 +31,7 @@ pub const SOURCE: &str = "Source";
 /// The remarks on the sheet.
 pub const REMARKS: &str = "Remarks";
 
-/// What the sheet says of an aircraft that has been changed.
+/// The sheet of an aircraft that has been changed.
 pub const OF_FILE: &str = "It is modified here. What follows is said of its file.";
 
 /// The status of one plane of motion.

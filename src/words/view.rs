@@ -12,7 +12,7 @@ pub const fn tab(tab: Tab) -> &'static str {
     }
 }
 
-/// What the button of a pane does.
+/// The button of a pane.
 pub const fn maximise(pane: Pane) -> &'static str {
     match pane {
         Pane::Poles => "Maximise the pole map",

@@ -125,7 +125,7 @@ export type FlightPhase = "A-combat" | "A" | "B" | "C";
 export type FrequencyRequest = {
   /** `longitudinal` or `lateral`; by default that of the disturbance, else that of the output, else the aircraft's first. */
   plane?: PlaneName,
-  /** What disturbs by one channel, a control or a gust; by default the plane's first, elevator or rudder. */
+  /** Key of a control or a gust, which disturbs by one channel; by default the plane's first, elevator or rudder. */
   disturbance?: ControlOrGust,
   /** Key of an output, as a motion names them; by default the pitch rate `q` or the sideslip `beta`. */
   output?: string,
@@ -463,7 +463,7 @@ export type PlaneOutcome = Plane | {
 export type ResponseRequest = {
   /** `longitudinal` or `lateral`; by default that of the disturbance, and the aircraft's first where it can be both. */
   plane?: PlaneName,
-  /** What disturbs; by default the plane's first, elevator or rudder. Its size is a parameter. */
+  /** Key of the disturbance; by default the plane's first, elevator or rudder. Its size is a parameter. */
   disturbance?: Disturbance,
   /** Its shape in time, of those it can have; by default that of the page. */
   shape?: Shape,

@@ -102,7 +102,7 @@ impl ModelError {
     }
 }
 
-/// What lies between coefficients and matrices, for showing.
+/// The steps between coefficients and matrices, for showing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrimmedModel<T = f64> {
     /// The steady flight.

@@ -165,7 +165,7 @@ pub enum AirframeError {
     NotPositive {
         /// Key of it in an aircraft file.
         key: &'static str,
-        /// What it is given as, SI.
+        /// The value that is given, SI.
         value: f64,
     },
     /// Ixz as large as √(Ix Iz), or larger.

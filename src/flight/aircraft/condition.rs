@@ -9,7 +9,7 @@ use super::real::{Real, record};
 /// Steepest flight path for which this page uses the equations of small disturbances \[rad\], 60°.
 pub const STEEPEST_PATH: f64 = std::f64::consts::FRAC_PI_3;
 
-/// What a pilot chooses.
+/// The flight condition that a pilot chooses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlightCondition<T = f64> {
     /// Geopotential altitude h \[m\].

@@ -13,7 +13,7 @@ use super::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use super::plane::{ByPlane, Plane};
 use super::real::{Real, Record};
 
-/// What a person has added to the derivatives and matrices that follow from a study; all zero at first.
+/// Offsets that a person has added to the derivatives and matrices that follow from the model; all zero at first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Offsets {
     /// Added to the longitudinal derivatives.

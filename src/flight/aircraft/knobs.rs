@@ -72,7 +72,7 @@ pub enum KnobError {
     Range {
         /// The knob.
         knob: Knob,
-        /// What was asked for.
+        /// The value that was asked for.
         value: f64,
     },
 }

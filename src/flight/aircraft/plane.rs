@@ -31,9 +31,9 @@ impl Plane {
 /// One thing for each plane: `pair.lateral`, or `pair[plane]` where the plane is a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ByPlane<T> {
-    /// Of longitudinal motion.
+    /// The value of longitudinal motion.
     pub longitudinal: T,
-    /// Of lateral–directional motion.
+    /// The value of lateral–directional motion.
     pub lateral: T,
 }
 

@@ -44,7 +44,7 @@ pub enum ApproximationName {
     SpiralPolynomial,
     /// Spiral with gravity kept.
     SpiralWithGravity,
-    /// Spiral as the quick form has it.
+    /// Spiral in the short form of Nelson.
     SpiralQuick,
 }
 
@@ -93,7 +93,7 @@ impl ApproximationName {
     }
 }
 
-/// What an approximation, or the exact mode beside it, says.
+/// The numbers of an approximation, or of the exact mode beside it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ModeValue {
     /// An oscillation, or two roots taken together.
@@ -112,7 +112,7 @@ pub enum ModeValue {
 pub struct Approximation {
     /// Which.
     pub name: ApproximationName,
-    /// What it gives; `None` where it gives nothing (a negative ωₙ², a division by zero).
+    /// Its result; `None` where it gives nothing (a negative ωₙ², a division by zero).
     pub value: Option<ModeValue>,
     /// The exact mode of the same kind; `None` where the aircraft has none.
     pub exact: Option<ModeValue>,
@@ -168,7 +168,7 @@ fn relative_error(approximate: f64, exact: f64) -> Option<f64> {
     error.is_finite().then_some(error)
 }
 
-/// What is felt of ẇ: the derivatives by it, in the axes of their source.
+/// The derivatives by ẇ, in the axes of their source.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DownwashLag {
     /// Z_ẇ, without dimension.
@@ -180,7 +180,7 @@ pub struct DownwashLag {
 }
 
 impl DownwashLag {
-    /// That of an aircraft; none where only matrices are known.
+    /// The derivatives of an aircraft; none where only matrices are known.
     pub fn of(derivatives: Option<&DerivativeModel>) -> Self {
         let lag = derivatives.and_then(|aircraft_model| {
             let d = aircraft_model.longitudinal?;

@@ -8,7 +8,7 @@ use crate::flight::aircraft::plane::Trim;
 use crate::flight::aircraft::states::Longitudinal;
 use crate::key::keys;
 
-/// What a mode is called.
+/// The name of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ModeName {
     /// Fast oscillation of angle of attack and pitch rate at nearly constant speed.
@@ -90,7 +90,7 @@ keys! {
 /// A name, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Naming {
-    /// What the mode is called.
+    /// The name of the mode.
     pub name: ModeName,
     /// Share of the mode in the states that gave it its name, 0 to 1. Near ½ the name is a matter of degree.
     pub confidence: f64,

@@ -43,7 +43,7 @@ pub struct Loads<T = f64> {
     pub force: [T; 3],
     /// L/Ix, M/Iy, N/Iz \[rad/s²\].
     pub moment: [T; 3],
-    /// What depends on u̇ and ẇ.
+    /// The terms that depend on u̇ and ẇ.
     pub lag: Lag<T>,
 }
 

@@ -19,7 +19,7 @@ pub const MOST_INTEGRATION_STEPS: usize = 20_000;
 /// So far beyond a limit is not beyond it: a trim may stand on a limit, to rounding \[rad, or of the speed\].
 const ROUNDING: f64 = 1e-9;
 
-/// What moves an aircraft out of its trim.
+/// Controls, air and initial states that move an aircraft out of its trim.
 #[derive(Clone, Copy)]
 pub struct Excitation<'a> {
     /// Controls away from the trim at a time \[s\].

@@ -194,7 +194,7 @@ impl Input {
         }
     }
 
-    /// Of an input that is constant between edges: (time \[s\], value from then on), in order.
+    /// The values of an input that is constant between edges: (time \[s\], value from then on), in order.
     fn switches(&self) -> [Option<(f64, f64)>; 5] {
         let mut edges = [None; 5];
         let mut put = |parts: &[(f64, f64)], start: f64| {
@@ -227,7 +227,7 @@ fn on(t: f64, start: f64, duration: f64) -> bool {
     t >= start && t < start + duration
 }
 
-/// Of a sample's interval: so near before a sample counts as on it, since times that are the same on paper are rounded.
+/// Part of a sample's interval: a time so near before a sample counts as on it, since times that are the same on paper are rounded.
 pub const ON_A_SAMPLE: f64 = 1e-9;
 
 /// Sample at or before t, from the first one on, and the fraction of the way to the next.

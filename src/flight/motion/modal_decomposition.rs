@@ -21,7 +21,7 @@ pub const WORST_SPLIT: f64 = 1e3;
 pub struct ModalDecomposition {
     /// One a mode, in the order of the modes: the output's values at the samples.
     pub parts: Vec<Vec<f64>>,
-    /// What no mode makes: what the input does at once, and the drift of the path.
+    /// The part that no mode makes: what the input does at once, and the drift of the path.
     pub rest: Vec<f64>,
 }
 

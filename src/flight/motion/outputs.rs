@@ -92,7 +92,7 @@ impl Output {
         }
     }
 
-    /// Those of a plane, states first.
+    /// The outputs of a plane, states first.
     pub const fn of(plane: Plane) -> &'static [Self] {
         match plane {
             Plane::Longitudinal => &[

@@ -42,7 +42,7 @@ pub const WIDEST_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 pub struct SixDof {
     /// The steady flight that the study names.
     pub trim: Trim,
-    /// What the air and the engine do.
+    /// Forces and moments of the air and the engine.
     pub aerodynamics: Aerodynamics,
     /// Moments of inertia in the axes of the flight. Where a source has none, those of a sphere: no gyroscopic moments.
     pub inertia: Inertia,
@@ -81,7 +81,7 @@ pub struct Limits {
     pub sound_speed: Option<f64>,
 }
 
-/// What acts from outside at one time.
+/// Inputs from outside at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inputs<T = f64> {
     /// Controls away from the trim.
@@ -132,7 +132,7 @@ pub enum SixDofError {
     },
     /// Newton's method did not get there.
     NoBalance {
-        /// What is left \[m/s² or rad/s²\].
+        /// The acceleration that is left \[m/s² or rad/s²\].
         residual: f64,
     },
 }

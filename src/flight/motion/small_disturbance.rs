@@ -17,7 +17,7 @@ pub const LARGEST_ATTITUDE: f64 = 1.0;
 /// The limit that a disturbance has passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallLimit {
-    /// What has passed it.
+    /// The output that has passed it.
     pub output: Output,
     /// The limit on either side of zero, SI.
     pub limit: f64,

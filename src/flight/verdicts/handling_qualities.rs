@@ -63,7 +63,7 @@ pub struct Governing {
 /// The verdict on one criterion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// What was judged.
+    /// The criterion that was judged.
     pub criterion: Criterion,
     /// Names of the modes that were judged.
     pub modes: Vec<ModeName>,
@@ -77,13 +77,13 @@ pub struct Verdict {
     pub governing: Option<Governing>,
     /// The limit of Level 1 on a quantity that the mode doesn't have, and so meets: what never doubles has no time to double.
     pub met_by_absence: Option<Requirement>,
-    /// What else is to be said of how it was judged.
+    /// A remark on how it was judged.
     pub remark: Option<Remark>,
     /// Class of aircraft and phase of flight whose limits these are.
     pub task: Task,
 }
 
-/// What a limit and a value don't say of a verdict.
+/// A remark on a verdict that a limit and a value don't make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remark {
     /// Two real roots were judged as one motion, since the oscillation has become such.
@@ -256,7 +256,7 @@ fn lateral(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
     verdicts
 }
 
-/// Those of the `names` that modes have.
+/// The `names` among them that modes have.
 fn present(modes: &[Mode], names: &[ModeName]) -> Vec<ModeName> {
     names.iter().copied().filter(|name| find(modes, *name).is_some()).collect()
 }

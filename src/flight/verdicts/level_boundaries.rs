@@ -30,7 +30,7 @@ pub enum Line {
 /// One limit of one criterion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
-    /// What is judged.
+    /// The criterion that sets it.
     pub criterion: Criterion,
     /// The best level that asks for it.
     pub level: Level,

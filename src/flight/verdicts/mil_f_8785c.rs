@@ -105,7 +105,7 @@ pub enum Quantity {
 /// One limit: a quantity has to be at least, or at most, so much.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Requirement {
-    /// What is limited.
+    /// The quantity that is limited.
     pub quantity: Quantity,
     /// Whether the limit is the least value allowed; else it is the greatest.
     pub is_minimum: bool,
@@ -125,7 +125,7 @@ impl Requirement {
     }
 }
 
-/// What is judged, and where it stands.
+/// A requirement of the specification that is judged, with its paragraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Criterion {
     /// Airspeed that diverges without swinging.

@@ -32,16 +32,16 @@ use pieces::Pieces;
 /// The version that is written. It rises when a link of this kind can't be understood any more by what came before.
 const VERSION: u32 = 1;
 
-/// What a link leads to.
+/// The scene that a link leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
-    /// What is studied.
+    /// The scenario that is studied.
     pub scenario: Scenario,
     /// The state pinned beside it; its disturbance and plane are those of the scene.
     pub pinned: Option<Scenario>,
     /// How it is looked at.
     pub view: View,
-    /// What was left out, and why.
+    /// The parts that were left out, and why.
     pub notices: Vec<Notice>,
 }
 

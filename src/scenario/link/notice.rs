@@ -10,7 +10,7 @@ pub enum Notice {
     Newer,
     /// The version can't be read.
     Version {
-        /// What stands there.
+        /// The text of the version.
         text: String,
     },
     /// The link is longer than any scene.

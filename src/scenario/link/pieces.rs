@@ -49,7 +49,7 @@ impl Pieces {
         Some(self.rest.remove(at).1)
     }
 
-    /// What the word of a key stands for.
+    /// The value that the word of a key stands for.
     pub fn take_word<T: Copy>(&mut self, key: &str, words: &[(&str, T)]) -> Option<T> {
         self.take_as(key, |word| words::meaning_of(words, word))
     }
@@ -84,7 +84,7 @@ impl Pieces {
         self.rest.iter().any(|(key, _)| key.starts_with(prefix))
     }
 
-    /// What was found wrong, and what is left over.
+    /// The notices of what was found wrong, and of what is left over.
     pub fn finish(mut self) -> Vec<Notice> {
         let unknown = self.rest.iter().map(|(key, _)| Notice::Unknown { key: quoted(key) });
         self.notices.extend(unknown);

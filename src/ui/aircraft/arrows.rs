@@ -9,7 +9,7 @@ use crate::shape::Point;
 
 const HEAD: f32 = 9.0;
 const POINTS_PER_TURN: f32 = 72.0;
-/// Of its points, every so many tell a label where an arc is.
+/// Every so many of its points tell a label where an arc is.
 const COARSE: usize = 5;
 
 /// An arrow's ink.

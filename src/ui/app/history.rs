@@ -58,7 +58,7 @@ impl History {
     }
 }
 
-/// What undo brings back: everything that a person does, but not how they look at it.
+/// The scene that undo brings back: everything that a person does, but not how they look at it.
 #[derive(Clone)]
 pub(super) struct Scene {
     pub scenario: Scenario,

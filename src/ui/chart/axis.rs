@@ -196,7 +196,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Of any range that a plot can have, on an axis of any length.
+        /// Ticks of any range that a plot can have, on an axis of any length.
         #[test]
         fn an_axis_has_two_labels_at_least_that_differ_and_where_there_is_room_are_apart(
             low in -1.0..1.0_f64,

@@ -7,7 +7,7 @@ use egui::Ui;
 /// Time constant of the easing \[s\].
 const EASE: f32 = 0.12;
 
-/// Of the wanted range; nearer than this the axis is there.
+/// Part of the wanted range: nearer than this the axis has arrived.
 const ARRIVED: f64 = 2e-3;
 
 /// The range of one axis as it is on screen.

@@ -59,7 +59,7 @@ pub struct PlotContent {
 }
 
 impl PlotContent {
-    /// Of functions of time.
+    /// Plots of functions of time.
     pub fn of_time(symbol: impl Into<String>, unit: impl Into<String>, curves: Vec<Curve>) -> Self {
         Self {
             symbol: symbol.into(),

@@ -51,7 +51,7 @@ pub struct Placement {
     arrows: Vec<[Pos2; 2]>,
 }
 
-/// What a label is wanted for.
+/// A label that is wanted, and its point.
 #[derive(Debug)]
 pub struct Wanted {
     /// Its points: of a pair both, the first beside which the label rather stands.

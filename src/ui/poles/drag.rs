@@ -12,7 +12,7 @@ use crate::scenario::Scenario;
 use crate::ui::chart::Chart;
 use crate::words;
 
-/// What a person's hand does with a pole in this frame.
+/// The move of a pole by a person's hand in this frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DragPhase {
     /// Nothing.

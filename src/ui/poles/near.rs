@@ -59,7 +59,7 @@ pub fn nearest_pole(chart: &Chart, modes: &[Mode], at: Pos2, reach: f32) -> Opti
     sides.filter(|(_, _, d)| *d <= reach).min_by(|a, b| a.2.total_cmp(&b.2))
 }
 
-/// What is nearest to a point of the screen.
+/// The pole or mark nearest to a point of the screen.
 pub fn near<'a>(
     chart: &Chart,
     seen: &PoleMapContent<'a>,
