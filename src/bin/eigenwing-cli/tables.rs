@@ -153,17 +153,21 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
         of_static.verdict,
         number(of_static.determinant)
     );
-    // The prime: something is folded in.
-    let [n, l] = if of_static.plain_derivatives { ["N", "L"] } else { ["N'", "L'"] };
     text += &match of_static.stiffness {
         StiffnessReport::Longitudinal { pitch_stiffness, .. } => {
-            format!("Pitch stiffness Mw = {} 1/(m·s)\n", number(pitch_stiffness))
+            format!("Pitch stiffness M_w = {} 1/(m·s)\n", number(pitch_stiffness))
         }
-        StiffnessReport::Lateral { weathercock_stiffness, dihedral_effect, .. } => format!(
-            "Weathercock stability {n}v = {} 1/(m·s), dihedral effect {l}v = {} 1/(m·s)\n",
-            number(weathercock_stiffness),
-            number(dihedral_effect)
-        ),
+        StiffnessReport::Lateral { weathercock_stiffness, dihedral_effect, .. } => {
+            let [yaw, roll] = [weathercock_stiffness, dihedral_effect].map(number);
+            if of_static.plain_derivatives {
+                format!("Weathercock stability N_v = {yaw} 1/(m·s), dihedral effect L_v = {roll} 1/(m·s)\n")
+            } else {
+                format!(
+                    "Weathercock stability N′_v = {yaw} 1/(m·s), dihedral effect L′_v = {roll} 1/(m·s); \
+                     the primes include the product of inertia\n"
+                )
+            }
+        }
     };
     let head = ["mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "T [s]", "t½ [s]", "t₂ [s]"];
     let modes = plane.modes.iter().map(|mode| {

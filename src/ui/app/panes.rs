@@ -153,7 +153,7 @@ impl App {
         let Some(problem) = self.findings.problem() else { return };
         let palette = Palette::of(ui);
         if std::mem::replace(&mut self.panes.problem_said, true) {
-            ui.label(RichText::new("Nothing to show while this can't be analysed.").color(palette.weak));
+            ui.label(RichText::new("Nothing to show, since this can't be analysed.").color(palette.weak));
         } else {
             banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
         }
