@@ -149,7 +149,7 @@ fn a_legend_names_every_line_that_is_drawn_and_no_other() {
         assert!(node.left() >= 0.0 && node.right() <= size.x, "{size}: {node}");
         harness.get_by_role_and_label(Role::Button, "Phase").click();
         harness.run();
-        assert!(legend(&harness).ends_with("; steady flight, dot"), "{}", legend(&harness));
+        assert!(legend(&harness).ends_with("; steady flight, dot; at the end, dot"), "{}", legend(&harness));
     }
 }
 

@@ -1,6 +1,6 @@
 //! A curve, and what of it is needed on screen.
 
-use egui::{Color32, Stroke, Vec2};
+use egui::{Color32, Pos2, Stroke, Vec2};
 
 use super::thin::thin;
 use super::{Chart, Pattern, PlotPoint, Primitive};
@@ -9,6 +9,10 @@ use super::{Chart, Pattern, PlotPoint, Primitive};
 const FILL: f32 = 0.12;
 /// How much of its colour a curve has where it is faded.
 const FADED: f32 = 0.4;
+/// Length of an arrowhead, half its width, and the length of curve from one to the next.
+const ARROW: (f32, f32, f32) = (7.0, 3.2, 110.0);
+/// No curve has more arrowheads than this.
+const MOST_ARROWS: usize = 5;
 
 /// A curve in shown units.
 #[derive(Clone, Debug)]
@@ -23,6 +27,8 @@ pub struct Curve {
     pub color: Color32,
     /// How it is drawn.
     pub pattern: Pattern,
+    /// Whether arrowheads tell the sense of time along it.
+    is_directed: bool,
     /// What of both parts is needed on screen, at the scale at which it was shown last.
     thinned: Option<(Vec2, [Vec<PlotPoint>; 2])>,
 }
@@ -30,12 +36,17 @@ pub struct Curve {
 impl Curve {
     /// A curve all of which is drawn in full colour.
     pub fn new(name: &'static str, points: Vec<PlotPoint>, color: Color32, pattern: Pattern) -> Self {
-        Self { name, full: points.len(), points, color, pattern, thinned: None }
+        Self { name, full: points.len(), points, color, pattern, is_directed: false, thinned: None }
     }
 
     /// The same curve, faded after its first points.
     pub fn faded_after(self, count: usize) -> Self {
         Self { full: count, ..self }
+    }
+
+    /// The same curve with arrowheads in the sense of time.
+    pub fn directed(self) -> Self {
+        Self { is_directed: true, ..self }
     }
 
     /// Its points as far as they are drawn in full colour.
@@ -78,5 +89,55 @@ impl Curve {
             let parts = chart.clipped(points.iter().copied()).into_iter();
             list.extend(parts.map(|points| Primitive::Line { points, stroke, pattern: self.pattern }));
         }
+        if self.is_directed {
+            let on_screen: Vec<Pos2> = full.iter().map(|point| chart.position(*point)).collect();
+            let stroke = Stroke::new(self.pattern.width(), self.color);
+            list.extend(arrowheads(&on_screen).map(|points| Primitive::Line {
+                points: points.to_vec(),
+                stroke,
+                pattern: Pattern::Full,
+            }));
+        }
+    }
+}
+
+/// Arrowheads along a line on the screen: the first where it has begun to move, the others at even distances along it.
+fn arrowheads(line: &[Pos2]) -> impl Iterator<Item = [Pos2; 3]> {
+    let (length, half, apart) = ARROW;
+    let mut next = 0.25 * apart;
+    let mut gone = 0.0;
+    let steps: Vec<(Pos2, Vec2)> = line
+        .windows(2)
+        .filter_map(|ends| {
+            let step = ends[1] - ends[0];
+            gone += step.length();
+            let is_due = gone >= next && step.length() > 0.0;
+            if is_due {
+                next = gone + apart;
+            }
+            is_due.then(|| (ends[1], step.normalized()))
+        })
+        .take(MOST_ARROWS)
+        .collect();
+    steps.into_iter().map(move |(tip, along)| {
+        let (back, aside) = (tip - length * along, half * along.rot90());
+        [back + aside, tip, back - aside]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrowheads_point_along_the_line_and_are_few() {
+        let line: Vec<Pos2> = (0..=2000).map(|k| Pos2::new(k as f32, 0.0)).collect();
+        let heads: Vec<_> = arrowheads(&line).collect();
+        assert_eq!(heads.len(), MOST_ARROWS);
+        for [above, tip, below] in heads {
+            assert!(tip.x > above.x && tip.x > below.x && above.y * below.y < 0.0);
+        }
+        assert_eq!(arrowheads(&[Pos2::ZERO; 9]).count(), 0);
+        assert_eq!(arrowheads(&[]).count(), 0);
     }
 }

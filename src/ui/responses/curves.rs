@@ -4,6 +4,7 @@ use egui::Color32;
 
 use crate::content::LengthUnit;
 use crate::findings::Findings;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::Motion;
 use crate::flight::motion::modal_decomposition::{ModalDecomposition, SplitError};
 use crate::flight::motion::outputs::Output;
@@ -38,7 +39,22 @@ pub fn portrait(
     let motion = findings.motion_in(findings.motion()?.experiment.grid.steps * parts)?;
     let values = motion.values(across).into_iter().zip(motion.values(upward));
     let points = values.map(|(x, y)| PlotPoint::new(x / across_unit, y / upward_unit)).collect();
-    Some(Curve::new(name, points, color, pattern).faded_after(motion.small_samples()))
+    Some(Curve::new(name, points, color, pattern).faded_after(motion.small_samples()).directed())
+}
+
+/// The path over the Earth, with every sample divided into `parts`: of longitudinal motion the height gained over the distance
+/// flown, of lateral motion the displacement to the right \[m\].
+pub fn path(findings: &Findings, parts: usize, pattern: Pattern, color: Color32) -> Option<Curve> {
+    let name = if pattern == Pattern::Full { "linear" } else { "pinned" };
+    let motion = findings.motion_in(findings.motion()?.experiment.grid.steps * parts)?;
+    let (ahead, aside) = match motion.model.plane {
+        Plane::Longitudinal => (Some(motion.values(Output::Distance)), motion.values(Output::Height)),
+        Plane::Lateral => (None, motion.values(Output::Offset)),
+    };
+    let steady = motion.model.trim.speed * motion.model.trim.gamma0.cos() * motion.response.dt;
+    let flown = |k: usize| k as f64 * steady + ahead.as_ref().map_or(0.0, |ahead| ahead[k]);
+    let points = aside.iter().enumerate().map(|(k, aside)| PlotPoint::new(flown(k), *aside)).collect();
+    Some(Curve::new(name, points, color, pattern).faded_after(motion.small_samples()).directed())
 }
 
 /// An output of the nonlinear flight as a curve of time, where there is one.

@@ -1,4 +1,4 @@
-//! Phase portraits: one quantity over another, time only along the path.
+//! Phase portraits: one quantity over another, time only along the path; and the path that is flown.
 
 use egui::Ui;
 
@@ -17,39 +17,45 @@ const SAMPLES_A_TURN: f64 = 128.0;
 /// No sample is divided into more than these.
 const MOST_PARTS: f64 = 16.0;
 
-/// Two portraits: one for the fast mode, one for the slow.
+/// Two portraits, one for the fast mode and one for the slow, and the path flown.
 #[derive(Debug, Default)]
 pub struct PhasePlots {
-    plots: [SmallPlot; 2],
-    pictures: Option<(Key, [PlotContent; 2])>,
+    plots: [SmallPlot; 3],
+    pictures: Option<(Key, [PlotContent; 3])>,
 }
 
 type Key = (CacheKey, [(Output, Output); 2]);
 
 impl PhasePlots {
-    /// Draws both portraits, with a dot where the motion is at the time `cursor` \[s\].
+    /// Draws both portraits and the path, with a dot where the motion is at the time `cursor` \[s\], and one where it ends.
     pub fn show(&mut self, ui: &mut Ui, canvas: Canvas<'_>, cursor: Option<f64>) {
         let Canvas { findings, palette, .. } = canvas;
         let Some(dt) = findings.motion().map(|motion| motion.response.dt) else { return };
         let pairs = canvas.view.portraits[findings.scenario().plane];
         let key = (CacheKey::of(canvas), pairs);
-        let pictures = kept(&mut self.pictures, key, || pairs.map(|pair| portrait(canvas, pair)));
+        let pictures = kept(&mut self.pictures, key, || {
+            let [left, right] = pairs.map(|pair| portrait(canvas, pair));
+            [left, right, path(canvas)]
+        });
         for picture in pictures.iter_mut() {
             let now = cursor.and_then(|time| {
                 let k = (time / dt).round() as usize * parts(findings);
                 picture.curves.first()?.points.get(k).copied()
             });
             picture.dots = vec![(PlotPoint::new(0.0, 0.0), palette.weak)];
+            let end = picture.curves.first().and_then(|curve| curve.full_part().last());
+            picture.dots.extend(end.map(|place| (*place, palette.accent)));
             picture.dots.extend(now.map(|place| (place, palette.text)));
         }
         let mut entries = legend::curves(pictures);
         let dot = |color, name: &str| Entry { mark: Mark::Dot, color, name: name.to_owned() };
         entries.push(dot(palette.weak, "steady flight"));
-        if pictures.iter().any(|picture| picture.dots.len() > 1) {
+        entries.push(dot(palette.accent, "at the end"));
+        if pictures.iter().any(|picture| picture.dots.len() > 2) {
             entries.push(dot(palette.text, "at the cursor"));
         }
         legend::legend_ui(ui, &entries, canvas.beside);
-        let places = grid(ui, pairs.len(), canvas.rows);
+        let places = grid(ui, pictures.len(), canvas.rows);
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
             plot.show(ui, place, picture, None);
         }
@@ -91,6 +97,19 @@ fn portrait(canvas: Canvas<'_>, pair: (Output, Output)) -> PlotContent {
         against: (across.symbol, across_unit),
         ..PlotContent::of_time(upward.symbol, upward_unit, drawn)
     }
+}
+
+/// The path over the Earth: the height over the distance flown, or the ground track.
+fn path(canvas: Canvas<'_>) -> PlotContent {
+    let Canvas { findings, pinned, palette, .. } = canvas;
+    let path = |of: &Findings, pattern, color| curves::path(of, parts(of), pattern, color);
+    let mut drawn: Vec<Curve> = path(findings, Pattern::Full, palette.text).into_iter().collect();
+    drawn.extend(pinned.and_then(|pinned| path(pinned, Pattern::Dashed, palette.pinned)));
+    let symbol = match findings.scenario().plane {
+        Plane::Longitudinal => "Δh",
+        Plane::Lateral => "y",
+    };
+    PlotContent { against: ("x", "m"), ..PlotContent::of_time(symbol, "m", drawn) }
 }
 
 /// Into how many parts a sample is divided, so that the fastest mode is seen to turn.

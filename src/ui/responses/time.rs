@@ -156,7 +156,7 @@ pub fn grid(ui: &mut Ui, count: usize, rows: Rows) -> Vec<Rect> {
     let width = ui.available_width();
     let columns = match rows {
         Rows::Touch => 1,
-        Rows::Dense if width > 600.0 && count > 4 => 3,
+        Rows::Dense if width > 600.0 && (count == 3 || count > 4) => 3,
         Rows::Dense => 2,
     };
     let columns = columns.min(count.max(1));
