@@ -91,7 +91,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             };
             let text = format!("{} · {} · {status}", aircraft.name, aircraft.condition);
             let choice = ui.selectable_label(aircraft.key == now.key, text);
-            if choice.on_hover_text(remarks(&aircraft.status_reason, aircraft)).clicked() {
+            if choice.on_hover_text(&aircraft.source).clicked() {
                 action = Some(Action::Load(aircraft.clone()));
                 ui.close();
             }
