@@ -718,3 +718,45 @@ fn every_aircraft_shows_its_forces_with_numbers_and_says_what_no_source_gives() 
     }
     assert!(in_newtons >= 5 && in_weights >= 1, "{in_newtons} {in_weights}");
 }
+
+/// What can be pressed or moved, with its place; lists that scroll hide a part.
+fn controls(harness: &page::Page) -> Vec<(String, egui::Rect)> {
+    let roles = [Role::Button, Role::Slider, Role::ComboBox, Role::TextInput, Role::CheckBox];
+    let all = roles.into_iter().flat_map(|role| harness.query_all_by_role(role));
+    all.map(|node| (node.accesskit_node().label().unwrap_or_default(), node.rect()))
+        // A pole is a mark of the map, which labels and buttons keep clear of by themselves.
+        .filter(|(label, _)| !label.contains(" pole, "))
+        .collect()
+}
+
+#[test]
+fn no_control_lies_on_another_at_any_usual_width() {
+    let scenes = [
+        "v=1&ac=navion",
+        "v=1&ac=navion&cg=15&pin.ac=navion&lon.source=mode&lon.mode=3",
+        "v=1&ac=navion&plane=lat&lat.source=aileron&lat.shape=3211&tab=phase",
+        "v=1&ac=b747-cruise-etkin&tab=frequency&page=matrix",
+        "v=1&ac=navion&lon.source=turbulence&tab=figures&nonlinear=1",
+        "v=1&ac=navion&pane=aircraft",
+        "v=1&ac=navion&pane=poles",
+        "v=1&ac=navion&plane=lat&pane=response&split=modes",
+    ];
+    let mut on_each_other = Vec::new();
+    for width in [720.0, 960.0, 1024.0, 1180.0, 1366.0, 1440.0] {
+        let mut harness = page(Vec2::new(width, 820.0));
+        for scene in scenes {
+            open(&mut harness, scene);
+            let controls = controls(&harness);
+            assert!(controls.len() > 30, "{width} {scene}: {}", controls.len());
+            for (i, (name, rect)) in controls.iter().enumerate() {
+                for (other, place) in &controls[i + 1..] {
+                    let shared = rect.intersect(*place);
+                    if shared.width() > 0.5 && shared.height() > 0.5 {
+                        on_each_other.push(format!("{width} {scene}: {name} {rect} and {other} {place}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(on_each_other.is_empty(), "{}", on_each_other.join("\n"));
+}

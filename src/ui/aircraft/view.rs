@@ -28,6 +28,8 @@ const STEP: f32 = 0.12;
 const ZOOM_STEP: f32 = 1.15;
 /// The aircraft strays no farther from the middle than this, in radii.
 const FARTHEST_ASTRAY: f32 = 0.2;
+/// In less room the buttons are closer to each other.
+const NARROW: f32 = 230.0;
 /// Width of a remark in the list of what is shown.
 const REMARK: f32 = 200.0;
 /// Side of the polygon of forces.
@@ -55,8 +57,9 @@ impl AircraftView {
     /// Buttons of the standard views, and what to show.
     pub fn toolbar_ui(&mut self, ui: &mut Ui, FlightView { camera, overlays, .. }: &mut FlightView) {
         ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().button_padding.x = 6.0;
-            ui.spacing_mut().item_spacing.x = 2.0;
+            let is_narrow = ui.available_width() < NARROW && !theme::is_for_fingers(ui);
+            ui.spacing_mut().button_padding.x = if is_narrow { 4.0 } else { 6.0 };
+            ui.spacing_mut().item_spacing.x = if is_narrow { 0.0 } else { 2.0 };
             ui.style_mut().override_font_id = Some(theme::small());
             for view in StandardView::ALL {
                 let is_on = *camera == view.camera();

@@ -15,8 +15,10 @@ use crate::words;
 const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
+/// In a narrower pane the heading has a row of its own.
+const SLIM: f32 = 265.0;
 /// At the right end of a heading, for the button that puts the pane alone beside the sliders.
-const CORNER: f32 = 22.0;
+pub(super) const CORNER: f32 = 22.0;
 
 impl App {
     /// Sliders on the left.
@@ -179,11 +181,19 @@ impl App {
                     self.poles_ui(ui);
                 }
                 Pane::Aircraft => {
+                    // The views have a row of their own, all in one.
+                    let is_slim = inner.width() < SLIM;
                     ui.horizontal(|ui| {
+                        ui.set_max_width(ui.available_width() - CORNER);
                         theme::heading(ui, RichText::new("Aircraft").heading(), 2);
                         ui.add_space(4.0);
-                        self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
+                        if !is_slim {
+                            self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
+                        }
                     });
+                    if is_slim {
+                        self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
+                    }
                     self.aircraft_ui(ui);
                 }
                 Pane::Response => self.responses_ui(ui, Rows::Dense),

@@ -2,6 +2,7 @@
 
 use egui::{Align, Layout, RichText, Ui};
 
+use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::{Page, Parameter, Source, View, parameters};
@@ -69,7 +70,12 @@ impl App {
 
     pub(super) fn responses_ui(&mut self, ui: &mut Ui, rows: Rows) {
         let view = &mut self.view.response;
-        self.panes.responses.choosers_ui(ui, &mut self.scenario, view, self.findings.modes());
+        ui.scope(|ui| {
+            if rows == Rows::Dense {
+                ui.set_max_width(ui.available_width() - CORNER);
+            }
+            self.panes.responses.choosers_ui(ui, &mut self.scenario, view, self.findings.modes());
+        });
         if self.findings.motion().is_some() {
             self.panes.responses.show(ui, view, &self.findings, self.pinned_findings.as_ref(), rows);
         } else {

@@ -96,7 +96,10 @@ impl Choices {
             }
             match parameters.len() {
                 0 => job.append(" nothing", 0.0, text(palette.text)),
-                n if n > written => job.append(&format!(" +{}", n - written), 0.0, text(palette.text)),
+                // Without room for any symbol a number of them says nothing.
+                n if n > written && written > 0 => {
+                    job.append(&format!(" +{}", n - written), 0.0, text(palette.text))
+                }
                 _ => {}
             }
             job.append(" ▾", 0.0, text(palette.weak));
