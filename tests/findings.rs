@@ -125,3 +125,26 @@ fn only_the_aircraft_of_two_unit_systems_has_a_remark() {
         );
     }
 }
+
+/// At the ends of the part that exists there is a flight, and just outside there is none.
+#[test]
+fn the_part_of_a_slider_that_exists_ends_where_flight_does() {
+    let scenario = aircraft("navion");
+    let findings = Findings::of(scenario.clone());
+    let mut cut = 0;
+    for key in ["speed", "altitude", "mass", "cm_alpha"] {
+        let parameter = Parameter::find(key).expect("a row");
+        let whole = parameter.range(&scenario);
+        let Some(exists) = findings.existing_range(parameter) else { continue };
+        let step = (whole.end() - whole.start()) / 2000.0;
+        let flies = |value: f64| with(scenario.clone(), key, value).analyse().is_ok();
+        assert!(flies(*exists.start()) && flies(*exists.end()), "{key}");
+        for (end, beyond) in [(*exists.start(), -step), (*exists.end(), step)] {
+            assert!(!whole.contains(&(end + beyond)) || !flies(end + beyond), "{key} at {end}");
+        }
+        cut += 1;
+    }
+    assert!(cut >= 2, "{cut}");
+    let cm_alpha = Parameter::find("cm_alpha").expect("a row");
+    assert_eq!(findings.existing_range(cm_alpha), None);
+}

@@ -310,3 +310,41 @@ fn a_pin_is_a_step_of_its_own_whatever_is_edited_around_it() {
     press(&mut harness, "Undo");
     assert_eq!(link(&mut harness), "v=1&ac=navion");
 }
+
+/// What can't be flown leaves the last good state in every pane, dimmed, and the sliders of every page.
+#[test]
+fn what_cannot_be_flown_leaves_the_last_good_state_in_every_pane() {
+    let mut harness = page("v=1&ac=navion");
+    let plots = harness.query_all_by_label_contains("against time").count();
+    harness.get_by_role_and_label(Role::Slider, "airspeed V").focus();
+    harness.run_steps(3);
+    harness.key_press(Key::Home);
+    harness.run_steps(3);
+    assert!(app(&mut harness).findings().plane().is_none());
+    for page in ["Coefficients", "Dimensional", "Matrix"] {
+        press(&mut harness, page);
+        assert_eq!(harness.query_all_by_label_contains("This can't be analysed: the wing would need").count(), 1);
+        assert_eq!(harness.query_all_by_label_contains("As it was last").count(), 3, "{page}");
+        harness.get_by_label_contains("Pole map, All modes");
+        assert_eq!(harness.query_all_by_label_contains("against time").count(), plots, "{page}");
+        assert!(harness.query_all_by_label_contains("Phugoid").count() > 1, "{page}");
+        assert_eq!(harness.query_all_by_label_contains("No slider of this page").count(), 0, "{page}");
+        let sliders = harness.query_all_by_role(Role::Slider).count();
+        assert!(sliders > 10, "{page}: {sliders}");
+    }
+    press(&mut harness, "Coefficients");
+    harness.get_by_role_and_label(Role::Slider, "airspeed V").focus();
+    harness.run_steps(3);
+    harness.key_press(Key::Delete);
+    harness.run_steps(3);
+    assert!(app(&mut harness).findings().plane().is_some());
+    assert_eq!(harness.query_all_by_label_contains("As it was last").count(), 0);
+}
+
+/// Where nothing has ever followed there is nothing to show, and no sentence of a search that nobody made.
+#[test]
+fn a_link_to_what_cannot_be_flown_says_so_on_every_page() {
+    let harness = page("v=1&ac=navion&speed=26.82&page=dimensional");
+    assert_eq!(harness.query_all_by_label_contains("can't be analysed: the wing").count(), 1);
+    assert_eq!(harness.query_all_by_label_contains("matches “”").count(), 0);
+}

@@ -4,6 +4,7 @@
 //!
 //! | file | in one line |
 //! |---|---|
+//! | `existing_range` | the part of a slider's range in which there is such a flight |
 //! | `sensitivities` | how strongly each parameter moves each mode |
 //! | `locus` | the path along which a parameter sends the poles |
 //! | `placement` | which parameters bring a pole to a place, and why no further |
@@ -13,6 +14,7 @@
 //! | [`measures`] | the one table of what can be read, by key |
 //! | `frequency` | gain, phase and peaks over frequency |
 
+mod existing_range;
 mod frequency;
 mod locus;
 pub mod measures;
@@ -23,6 +25,7 @@ mod time_shown;
 mod trajectory;
 
 use std::cell::{OnceCell, RefCell};
+use std::ops::RangeInclusive;
 use std::rc::Rc;
 
 use thiserror::Error;
@@ -57,6 +60,8 @@ pub struct Findings {
     analysis: OnceCell<Result<Analysis, AnalysisError>>,
     /// One a page of sliders.
     sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::ALL.len()],
+    /// Likewise.
+    existing: [OnceCell<Vec<(&'static str, RangeInclusive<f64>)>>; Page::ALL.len()],
     coefficients: OnceCell<Option<Coefficients>>,
     level_boundaries: OnceCell<Vec<Boundary>>,
     flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,
@@ -96,6 +101,7 @@ impl Findings {
             scenario,
             analysis: OnceCell::new(),
             sensitivities: Default::default(),
+            existing: Default::default(),
             coefficients: OnceCell::new(),
             level_boundaries: OnceCell::new(),
             flight: OnceCell::new(),
@@ -211,6 +217,14 @@ impl Findings {
     pub fn sensitivities(&self, page: Page) -> &[RowSensitivity] {
         let of = |plane| sensitivities::of_page(&self.scenario, plane, page);
         self.sensitivities[page as usize].get_or_init(|| self.plane().map_or_else(Vec::new, of))
+    }
+
+    /// The part of a slider's range \[SI\] in which there is such an aircraft and such a flight, with all else as it is; `None` where
+    /// it is all of it, or none.
+    pub fn existing_range(&self, parameter: &Parameter) -> Option<RangeInclusive<f64>> {
+        let page = parameter.page?;
+        let of_page = self.existing[page as usize].get_or_init(|| existing_range::of_page(&self.scenario, page));
+        of_page.iter().find(|(key, _)| *key == parameter.key).map(|(_, range)| range.clone())
     }
 
     /// The path of the poles along the whole range of a parameter's slider, wherever along it the parameter is.

@@ -62,13 +62,14 @@ pub const SEARCH_KEY: Key = Key::Slash;
 
 /// Draws the pages and the groups of the one on screen; edits `scenario` in place.
 ///
-/// Gives the key of the row that the person is at, with pointer or keyboard.
+/// Gives the key of the row that the person is at, with pointer or keyboard. A page that has no slider because nothing follows from
+/// the scenario keeps those of the `last` findings from which something did, dimmed.
 pub fn derivatives_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
     Chosen { page, search, asked }: Chosen<'_>,
     rows: Rows,
-    findings: &Findings,
+    (findings, last): (&Findings, &Findings),
 ) -> Option<&'static str> {
     ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 7.0;
@@ -92,32 +93,53 @@ pub fn derivatives_ui(
     let mut touched = None;
     let name = ("derivatives", page.key(), scenario.plane.key());
     let area = ScrollArea::vertical().max_height(height).auto_shrink([false, rows == Rows::Dense]);
-    let mut found = false;
     finger::scroll_area_ui(ui, name, area, |ui| {
         if rows == Rows::Dense {
             ui.spacing_mut().item_spacing.y = 0.0;
         }
-        for group in Group::DERIVATIVES {
-            let shown = |p: &&Parameter| p.group == group && is_listed(p, scenario, *page, search);
-            let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
-            if group_rows.is_empty() {
-                continue;
-            }
-            found = true;
-            ui.add_space(4.0);
-            group_ui(ui, scenario, group, &group_rows);
-            for parameter in group_rows {
-                let is_asked = asked == Some(parameter.key);
-                if row_ui(ui, scenario, parameter, rows, findings, is_asked) {
-                    touched = Some(parameter.key);
-                }
-            }
-        }
-        if !found {
-            let text = format!("No slider of this page matches “{}”.", search.trim());
+        let listed = |scenario: &Scenario| parameters().any(|p| is_listed(p, scenario, *page, search));
+        if listed(scenario) {
+            touched = groups_ui(ui, scenario, (*page, search), rows, findings, asked);
+        } else if parameters().any(|p| p.is_shown(scenario, *page)) || !listed(last.scenario()) {
+            let text = if search.trim().is_empty() {
+                words::sliders::NONE.to_owned()
+            } else {
+                words::sliders::no_match(search.trim())
+            };
             ui.label(RichText::new(text).font(theme::small()));
+        } else {
+            ui.disable();
+            groups_ui(ui, &mut last.scenario().clone(), (*page, search), rows, last, None);
         }
     });
+    touched
+}
+
+/// The groups of a page with their rows, as far as the search leaves them; gives the key of the row that the person is at.
+fn groups_ui(
+    ui: &mut Ui,
+    scenario: &mut Scenario,
+    (page, search): (Page, &str),
+    rows: Rows,
+    findings: &Findings,
+    asked: Option<&'static str>,
+) -> Option<&'static str> {
+    let mut touched = None;
+    for group in Group::DERIVATIVES {
+        let shown = |p: &&Parameter| p.group == group && is_listed(p, scenario, page, search);
+        let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
+        if group_rows.is_empty() {
+            continue;
+        }
+        ui.add_space(4.0);
+        group_ui(ui, scenario, group, &group_rows);
+        for parameter in group_rows {
+            let is_asked = asked == Some(parameter.key);
+            if row_ui(ui, scenario, parameter, rows, findings, is_asked) {
+                touched = Some(parameter.key);
+            }
+        }
+    }
     touched
 }
 
@@ -217,6 +239,8 @@ struct Row {
     shown: String,
     reference: f64,
     range: RangeInclusive<f64>,
+    /// The part of it that exists, where that is not all.
+    exists: Option<RangeInclusive<f64>>,
     /// What knobs and flight condition have made of the value.
     in_effect: Option<f64>,
     in_si: f64,
@@ -239,6 +263,9 @@ impl Row {
             shown: trimmed(value, 4),
             reference: parameter.reference(scenario) / in_si,
             range: range.start() / in_si..=range.end() / in_si,
+            exists: findings
+                .existing_range(parameter)
+                .map(|range| range.start() / in_si..=range.end() / in_si),
             in_effect: in_effect.map(|si| si / in_si),
             in_si,
             unit,
@@ -260,6 +287,7 @@ impl Row {
             value: self.value,
             range: self.range.clone(),
             reference: self.reference,
+            exists: self.exists.clone(),
             in_effect: self.in_effect,
         };
         let width = (ui.available_width() - rest).max(60.0);

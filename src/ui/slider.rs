@@ -28,6 +28,8 @@ pub struct ReferenceSlider<'a> {
     pub range: RangeInclusive<f64>,
     /// Where the tick stands, and where a double click or Delete goes.
     pub reference: f64,
+    /// The part of the rail where what is set exists; all of it where there is none.
+    pub exists: Option<RangeInclusive<f64>>,
     /// Where something else has moved what the value means, marked by a triangle.
     pub in_effect: Option<f64>,
 }
@@ -148,6 +150,9 @@ impl ReferenceSlider<'_> {
         response.widget_info(|| WidgetInfo::slider(ui.is_enabled(), self.value, self.name));
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_value(self.value_text.as_str());
+            if self.exists.as_ref().is_some_and(|exists| !exists.contains(&self.value)) {
+                node.set_description("There is nothing to analyse at this value");
+            }
             node.set_min_numeric_value(self.range.start().min(self.value));
             node.set_max_numeric_value(self.range.end().max(self.value));
             node.set_numeric_value_step(self.step());
@@ -166,6 +171,15 @@ impl ReferenceSlider<'_> {
         painter.hline(left..=right, y, Stroke::new(3.0, palette.hairline));
         // The fill runs from the reference: how far, and which way, this has been moved.
         painter.hline(tick.min(x)..=tick.max(x), y, Stroke::new(3.0, palette.accent));
+        if let Some(exists) = &self.exists {
+            let (from, to) = (self.x_of(rect, *exists.start()), self.x_of(rect, *exists.end()));
+            for part in [left..=from, to..=right].into_iter().filter(|part| part.end() - part.start() > 1.0) {
+                // Nothing to slide on: dots in place of the rail.
+                painter.hline(part.clone(), y, Stroke::new(3.0, palette.pane));
+                let ends = [part.start(), part.end()].map(|x| egui::pos2(*x, y));
+                painter.extend(Shape::dotted_line(&ends, palette.bad, 4.0, 1.0));
+            }
+        }
         painter.vline(tick, y - 6.5..=y + 6.5, Stroke::new(1.5, palette.pinned));
         if let Some(moved) = self.in_effect {
             let tip = egui::pos2(self.x_of(rect, moved), y + 3.0);

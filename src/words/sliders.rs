@@ -32,3 +32,17 @@ pub const fn group(group: Group) -> &'static str {
         Group::Disturbance => "Disturbance",
     }
 }
+
+/// What stands in place of the sliders where a page has none.
+pub const NONE: &str = "No slider of this page, since this can't be analysed.";
+
+/// The same where a search has left none.
+pub fn no_match(search: &str) -> String {
+    format!("No slider of this page matches “{search}”.")
+}
+
+/// In a pane that shows what followed last, where nothing follows from the sliders as they are.
+pub const AS_IT_WAS: &str = "As it was last: with the sliders as they are it can't be analysed.";
+
+/// In a pane where nothing has ever followed.
+pub const NOTHING: &str = "Nothing to show, since this can't be analysed.";

@@ -66,6 +66,7 @@ fn slider_ui(ui: &mut Ui, playback: &mut Playback, width: f32) {
         value: playback.time,
         range: 0.0..=playback.end.max(1e-3),
         reference: 0.0,
+        exists: None,
         in_effect: None,
     };
     if let (_, Some(time)) = slider.show(ui, Vec2::new(width, ui.spacing().interact_size.y)) {

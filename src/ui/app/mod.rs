@@ -89,6 +89,8 @@ pub struct App {
     view: View,
     /// What follows from the scenario, as it was when [`App::refresh`] last came by.
     findings: Rc<Findings>,
+    /// The last of them from which something followed, shown where nothing follows any more.
+    last_good: Rc<Findings>,
     /// What follows from the pinned state, put through the same disturbance.
     pinned_findings: Option<Rc<Findings>>,
     /// How often anything was found anew, so that tests can see that nothing is computed twice.
@@ -110,11 +112,13 @@ impl App {
             return Err(content_errors.swap_remove(0));
         };
         let scenario = Scenario::new(first.clone());
+        let findings = Rc::new(Findings::of(scenario.clone()));
         Ok(Self {
             aircraft,
             content_errors,
             view: View::of(&scenario),
-            findings: Rc::new(Findings::of(scenario.clone())),
+            last_good: findings.clone(),
+            findings,
             scenario,
             pinned: None,
             pinned_findings: None,
@@ -253,6 +257,9 @@ impl App {
             self.findings = Rc::new(self.findings.after(self.scenario.clone()));
             self.computations += 1;
         }
+        if self.findings.plane().is_some() {
+            self.last_good = self.findings.clone();
+        }
         let Some(pinned) = &self.pinned else {
             self.pinned_findings = None;
             return;
@@ -261,6 +268,19 @@ impl App {
         if self.pinned_findings.as_ref().is_none_or(|findings| *findings.scenario() != disturbed) {
             self.pinned_findings = Some(Rc::new(Findings::of(disturbed)));
             self.computations += 1;
+        }
+    }
+
+    /// What the panes draw: what follows from the scenario, or where nothing does, what followed last from the same aircraft in the
+    /// same plane; and whether it is that.
+    fn shown(&self) -> (Rc<Findings>, bool) {
+        let of = self.last_good.scenario();
+        let (aircraft, plane) = (&self.scenario.aircraft, self.scenario.plane);
+        let is_of_this = of.plane == plane && of.aircraft.key == aircraft.key && self.last_good.plane().is_some();
+        if self.findings.plane().is_none() && is_of_this {
+            (self.last_good.clone(), true)
+        } else {
+            (self.findings.clone(), false)
         }
     }
 

@@ -1,5 +1,7 @@
 //! What is in the panes: each draws what follows from the scenario, and may edit it in place.
 
+use std::rc::Rc;
+
 use egui::{Align, Layout, RichText, Ui};
 
 use super::layout::CORNER;
@@ -10,7 +12,7 @@ use crate::ui::derivatives::{Chosen, Rows, derivatives_ui, is_listed};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::overall_level::overall_level_ui;
 use crate::ui::poles::PoleMapContent;
-use crate::ui::theme::Palette;
+use crate::ui::theme::{self, Palette};
 use crate::words;
 
 impl App {
@@ -18,10 +20,11 @@ impl App {
         if !self.view.page.is_of(&self.scenario) {
             self.view.page = Page::of(&self.scenario);
         }
+        let (last, _) = self.shown();
         self.panes.touched = {
             let Panes { search, asked, .. } = &mut self.panes;
             let chosen = Chosen { page: &mut self.view.page, search, asked: asked.take() };
-            derivatives_ui(ui, &mut self.scenario, chosen, rows, &self.findings)
+            derivatives_ui(ui, &mut self.scenario, chosen, rows, (&self.findings, &last))
         };
         self.panes.explained = self.panes.touched.unwrap_or(self.panes.explained);
         let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, &self.panes.search);
@@ -35,28 +38,28 @@ impl App {
     }
 
     pub(super) fn aircraft_ui(&mut self, ui: &mut Ui) {
-        match flown(ui, &self.findings, &self.view, &mut self.panes) {
-            Some(trajectory) => {
-                self.panes.flight.show(ui, &mut self.view.flight, trajectory);
-                self.panes.responses.set_time(self.panes.flight.time());
-            }
-            None => self.problem_ui(ui),
+        let findings = self.shown_ui(ui);
+        if let Some(trajectory) = flown(ui, &findings, &self.view, &mut self.panes) {
+            self.panes.flight.show(ui, &mut self.view.flight, trajectory);
+            self.panes.responses.set_time(self.panes.flight.time());
         }
     }
 
     /// Lets the playback go on where the aircraft is not on screen.
     pub(super) fn play(&mut self, ui: &Ui) {
-        flown(ui, &self.findings, &self.view, &mut self.panes);
+        let (findings, _) = self.shown();
+        flown(ui, &findings, &self.view, &mut self.panes);
         self.panes.responses.set_time(self.panes.flight.time());
     }
 
     pub(super) fn poles_ui(&mut self, ui: &mut Ui) {
-        let Some(plane) = self.findings.plane() else { return self.problem_ui(ui) };
+        let findings = self.shown_ui(ui);
+        let Some(plane) = findings.plane() else { return };
         let touched = self.panes.touched.and_then(Parameter::find);
-        let locus = touched.map(|parameter| (parameter, self.findings.locus(parameter)));
+        let locus = touched.map(|parameter| (parameter, findings.locus(parameter)));
         let locus = locus.as_ref().map(|(parameter, locus)| (*parameter, locus.as_ref()));
         let pinned = self.pinned_findings.as_ref().map(|pinned| pinned.modes());
-        let (findings, marks) = (self.findings.as_ref(), self.view.marks);
+        let (findings, marks) = (findings.as_ref(), self.view.marks);
         self.panes.poles.show(ui, PoleMapContent { findings, plane, pinned, marks, locus });
     }
 
@@ -76,10 +79,10 @@ impl App {
             }
             self.panes.responses.choosers_ui(ui, &mut self.scenario, view, self.findings.modes());
         });
-        if self.findings.motion().is_some() {
-            self.panes.responses.show(ui, view, &self.findings, self.pinned_findings.as_ref(), rows);
-        } else {
-            self.problem_ui(ui);
+        let findings = self.shown_ui(ui);
+        if findings.motion().is_some() {
+            let view = &mut self.view.response;
+            self.panes.responses.show(ui, view, &findings, self.pinned_findings.as_ref(), rows);
         }
     }
 
@@ -93,11 +96,19 @@ impl App {
 
     /// The derivatives that move the modes most; each leads to its slider.
     pub(super) fn strongest_ui(&mut self, ui: &mut Ui) {
-        if self.findings.plane().is_none() {
+        let (findings, is_stale) = self.shown();
+        if findings.plane().is_none() {
             return;
         }
         let Panes { strongest, touched, explained, asked, phone_pane, .. } = &mut self.panes;
-        let wish = strongest.show(ui, &self.findings, self.view.page);
+        let page = self.view.page;
+        let show = |ui: &mut Ui| {
+            if is_stale {
+                ui.disable();
+            }
+            strongest.show(ui, &findings, page)
+        };
+        let wish = ui.scope(show).inner;
         *touched = wish.touched.or(*touched);
         *explained = wish.touched.unwrap_or(*explained);
         if wish.asked.is_some() {
@@ -114,13 +125,17 @@ impl App {
             let text = format!("An aircraft could not be read: {error}");
             banner_ui(ui, &text, palette.warning, palette.warning_ground);
         }
-        let findings = self.findings.clone();
-        let (Some(plane), Ok(analysis)) = (findings.plane(), findings.analysis()) else {
-            self.problem_ui(ui);
-            return None;
-        };
-        verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
-        overall_level_ui(ui, analysis, &mut self.scenario.task);
+        let (findings, is_stale) = self.shown();
+        self.problem_ui(ui, is_stale);
+        let (Some(plane), Ok(analysis)) = (findings.plane(), findings.analysis()) else { return None };
+        // What stands below may be of other panes.
+        ui.scope(|ui| {
+            if is_stale {
+                ui.disable();
+            }
+            verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
+            overall_level_ui(ui, analysis, &mut self.scenario.task);
+        });
         let Some(Remark::MixedUnits(gravity)) = findings.remarks().first().copied() else { return None };
         let warning = words::stability::mixed_units(gravity);
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
@@ -131,8 +146,11 @@ impl App {
 
     /// A card for each mode, in the columns that `column` tells.
     pub(super) fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
-        let findings = self.findings.clone();
+        let (findings, is_stale) = self.shown();
         let Some(analysed) = findings.plane() else { return };
+        if is_stale {
+            columns.iter_mut().for_each(Ui::disable);
+        }
         let pinned = self.pinned_findings.clone();
         let choice = self.scenario.disturbance.choices[self.scenario.plane];
         let last = analysed.modes.len().saturating_sub(1);
@@ -154,12 +172,23 @@ impl App {
         }
     }
 
-    /// Why there is nothing to draw: a sentence in the pane that comes first, and a remark in the others.
-    fn problem_ui(&mut self, ui: &mut Ui) {
+    /// What the rest of a pane draws. Where nothing follows from the scenario it says so first, and what followed last is dimmed.
+    fn shown_ui(&mut self, ui: &mut Ui) -> Rc<Findings> {
+        let (findings, is_stale) = self.shown();
+        self.problem_ui(ui, is_stale);
+        if is_stale {
+            ui.disable();
+        }
+        findings
+    }
+
+    /// Why nothing follows: a sentence in the pane that comes first, and a remark in the others.
+    fn problem_ui(&mut self, ui: &mut Ui, is_stale: bool) {
         let Some(problem) = self.findings.problem() else { return };
         let palette = Palette::of(ui);
         if std::mem::replace(&mut self.panes.problem_said, true) {
-            ui.label(RichText::new("Nothing to show, since this can't be analysed.").color(palette.weak));
+            let text = if is_stale { words::sliders::AS_IT_WAS } else { words::sliders::NOTHING };
+            ui.label(RichText::new(text).font(theme::small()).color(palette.bad));
         } else {
             banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
         }
