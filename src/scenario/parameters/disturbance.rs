@@ -155,7 +155,8 @@ pub(super) const ROWS: [Parameter; 26] = [
         "strength of the turbulence",
         (Dimension::AirSpeed, 0.0, 5.0),
         (
-            "Root mean square of the vertical speed of the air; along and across it follows the altitude.",
+            "Root mean square of the vertical speed of the air. Lengths and proportions are those of the altitude, below 1000 ft those \
+             of 1000 ft.",
             "The linear motion grows in proportion.",
         ),
         |s| &mut s.turbulence,
