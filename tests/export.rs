@@ -18,7 +18,7 @@ fn keys() -> impl Iterator<Item = &'static str> {
 }
 
 fn analyse(subject: &Subject) -> Result<Report, ExportError> {
-    Ok(export::analyse(&Findings::of(subject.scenario()?))?)
+    export::analyse(&Findings::of(subject.scenario()?))
 }
 
 fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {

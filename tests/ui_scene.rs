@@ -323,7 +323,10 @@ fn what_cannot_be_flown_leaves_the_last_good_state_in_every_pane() {
     assert!(app(&mut harness).findings().plane().is_none());
     for page in ["Coefficients", "Dimensional", "Matrix"] {
         press(&mut harness, page);
-        assert_eq!(harness.query_all_by_label_contains("This can't be analysed: the wing would need").count(), 1);
+        assert_eq!(
+            harness.query_all_by_label_contains("This can't be analysed: the wing would need").count(),
+            1
+        );
         assert_eq!(harness.query_all_by_label_contains("As it was last").count(), 3, "{page}");
         harness.get_by_label_contains("Pole map, All modes");
         assert_eq!(harness.query_all_by_label_contains("against time").count(), plots, "{page}");

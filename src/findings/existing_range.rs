@@ -22,7 +22,10 @@ fn existing(scenario: &Scenario, parameter: &Parameter) -> Option<RangeInclusive
     let (mut moved, plane) = (scenario.clone(), scenario.plane);
     let mut exists = |value: f64| {
         parameter.set(&mut moved, value);
-        moved.edited.models().is_ok_and(|models| models.problems.iter().all(|problem| problem.plane() != Some(plane)))
+        moved
+            .edited
+            .models()
+            .is_ok_and(|models| models.problems.iter().all(|problem| problem.plane() != Some(plane)))
     };
     let (low, high) = parameter.range(scenario).into_inner();
     let ends = (exists(low), exists(high));

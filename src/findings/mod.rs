@@ -223,7 +223,8 @@ impl Findings {
     /// it is all of it, or none.
     pub fn existing_range(&self, parameter: &Parameter) -> Option<RangeInclusive<f64>> {
         let page = parameter.page?;
-        let of_page = self.existing[page as usize].get_or_init(|| existing_range::of_page(&self.scenario, page));
+        let of_page =
+            self.existing[page as usize].get_or_init(|| existing_range::of_page(&self.scenario, page));
         of_page.iter().find(|(key, _)| *key == parameter.key).map(|(_, range)| range.clone())
     }
 

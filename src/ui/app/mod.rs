@@ -276,7 +276,8 @@ impl App {
     fn shown(&self) -> (Rc<Findings>, bool) {
         let of = self.last_good.scenario();
         let (aircraft, plane) = (&self.scenario.aircraft, self.scenario.plane);
-        let is_of_this = of.plane == plane && of.aircraft.key == aircraft.key && self.last_good.plane().is_some();
+        let is_of_this =
+            of.plane == plane && of.aircraft.key == aircraft.key && self.last_good.plane().is_some();
         if self.findings.plane().is_none() && is_of_this {
             (self.last_good.clone(), true)
         } else {
