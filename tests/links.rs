@@ -10,7 +10,7 @@ use eigenwing::flight::verdicts::task::Task;
 use eigenwing::key::Keyed as _;
 use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
 use eigenwing::scenario::view::{
-    Camera, Details, FlightView, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
+    Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
 use eigenwing::scenario::{Dimension, Page, Parameter, Quantity, Scenario, Source, parameters};
 use eigenwing::words;
@@ -109,12 +109,15 @@ prop_compose! {
         tab in any::<Index>(),
         nonlinear in any::<bool>(),
         rate in prop::sample::select(&Pace::RATES),
+        hundredths in 0_u32..30_000,
+        playing in any::<bool>(),
     ) -> (View, Index) {
         let usual = ResponseView::default();
         let portraits = |of: &[Output]| [(of[0], of[1]), (of[2], of[3])];
         let [split, approximations, levels, shape, of_levels, of_books, is_looping, usual_overlays, ..] = flags;
         let [.., body_axes, earth_axes, angles, rates, forces, flow, path, moments] = flags;
         let overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
+        let instant = Instant { time: f64::from(hundredths) / 100.0, is_playing: playing };
         let response = ResponseView {
             tab: *tab.get(&Tab::ALL),
             nonlinear,
@@ -130,7 +133,7 @@ prop_compose! {
             marks: Marks { approximations, levels },
             details: Details { shape, levels: of_levels, approximations: of_books },
             response,
-            flight: FlightView { camera, overlays, pace: Pace { rate, is_looping } },
+            flight: FlightView { camera, overlays, pace: Pace { rate, is_looping }, instant },
         };
         (view, page)
     }
@@ -271,6 +274,7 @@ fn normal_scene() -> (Scenario, View, Scenario) {
         camera: camera(-40, 12, 140),
         overlays: Overlays { forces: false, rates: true, ..Overlays::default() },
         pace: Pace { rate: 0.5, ..Pace::default() },
+        ..FlightView::default()
     };
     let view = View {
         marks: Marks { approximations: false, levels: true },
@@ -502,6 +506,8 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
         }
         "rate" => flight.pace.rate.to_string(),
         "loop" => flight.pace.is_looping.to_string(),
+        "t" => flight.instant.time.to_string(),
+        "play" => flight.instant.is_playing.to_string(),
         "pinned" => opened.pinned.is_some().to_string(),
         "edited" => scenario.is_edited().to_string(),
         key => {

@@ -351,3 +351,44 @@ fn a_link_to_what_cannot_be_flown_says_so_on_every_page() {
     assert_eq!(harness.query_all_by_label_contains("can't be analysed: the wing").count(), 1);
     assert_eq!(harness.query_all_by_label_contains("matches “”").count(), 0);
 }
+
+fn playback(harness: &Page) -> (f64, bool) {
+    let slider = harness.get_by_role_and_label(Role::Slider, "Time of the playback in s");
+    let time = slider.accesskit_node().numeric_value().expect("a time");
+    (time, harness.query_by_label("Pause").is_some())
+}
+
+/// A new scene begins at time zero, at rest, whatever was played before; or as its link says.
+#[test]
+fn a_new_scene_begins_at_time_zero_at_rest() {
+    let mut harness = page("v=1&ac=navion");
+    let play = |harness: &mut Page| {
+        press(harness, "Play");
+        harness.run_steps(30);
+        assert!(playback(harness).0 > 0.1 && playback(harness).1);
+    };
+    play(&mut harness);
+    app(&mut harness).open("v=1&ac=b747-approach");
+    harness.run_steps(3);
+    assert_eq!(playback(&harness), (0.0, false));
+    play(&mut harness);
+    press(&mut harness, "Lateral–directional");
+    assert_eq!(playback(&harness), (0.0, false));
+    play(&mut harness);
+    press(&mut harness, "Undo");
+    assert_eq!(playback(&harness), (0.0, false));
+    app(&mut harness).open("v=1&ac=navion&t=12.5");
+    harness.run_steps(3);
+    assert_eq!(playback(&harness), (12.5, false));
+    // The address keeps still while it plays; a copied link tells the moment.
+    let still = link(&mut harness);
+    assert!(!still.contains("&t="), "{still}");
+    assert!(app(&mut harness).link_with_instant().ends_with("&t=12.5"));
+    press(&mut harness, "Play");
+    assert_eq!(link(&mut harness), still);
+    assert!(app(&mut harness).link_with_instant().ends_with("&play=on"));
+    app(&mut harness).open("v=1&ac=navion&t=12.5&play=on");
+    harness.run_steps(3);
+    let (time, is_playing) = playback(&harness);
+    assert!(is_playing && (12.5..14.0).contains(&time), "{time}");
+}

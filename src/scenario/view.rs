@@ -164,6 +164,17 @@ pub struct FlightView {
     pub overlays: Overlays,
     /// How it is played.
     pub pace: Pace,
+    /// Where the playback begins when the scene is opened.
+    pub instant: Instant,
+}
+
+/// An instant of a playback.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Instant {
+    /// Time in the motion \[s\].
+    pub time: f64,
+    /// Whether it plays on from there, or is at rest.
+    pub is_playing: bool,
 }
 
 /// How a motion is played.

@@ -11,7 +11,7 @@ use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
 use crate::findings::{Pose, Trajectory};
 use crate::number::trimmed;
-use crate::scenario::view::{FlightView, Pace};
+use crate::scenario::view::{FlightView, Instant, Pace};
 use crate::shape::{Deflections, Finish, Model};
 use crate::words;
 
@@ -60,6 +60,19 @@ impl FlightPane {
         if !self.playback.is_playing {
             self.playback.seek(time);
         }
+    }
+
+    /// Where it is: in a motion that plays, the beginning, where whoever opens the scene begins.
+    pub fn instant(&self) -> Instant {
+        let Playback { time, is_playing, .. } = self.playback;
+        Instant { time: if is_playing { 0.0 } else { time }, is_playing }
+    }
+
+    /// Goes to an instant of another motion, or to its end where it is shorter.
+    pub fn begin(&mut self, Instant { time, is_playing }: Instant) {
+        self.playback.time = time;
+        self.playback.is_playing = is_playing;
+        self.advanced = None;
     }
 
     /// Plays from the beginning.

@@ -4,7 +4,7 @@
 //! A value that is no good is left out as a whole, with one sentence.
 
 use super::super::view::{
-    Camera, Details, FlightView, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
+    Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
 use super::super::{Page, Scenario};
 use super::notice::Notice;
@@ -13,6 +13,9 @@ use super::words;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::outputs::Output;
 use crate::key::Keyed;
+
+/// Longest time of a playback that a link may tell \[s\]: longer than any motion that is shown.
+const LONGEST_TIME: f64 = 1e4;
 
 impl View {
     /// The pieces of a link that differ from the page as it opens.
@@ -54,6 +57,8 @@ impl View {
             ("drawn", listed(&words::OVERLAYS, flight.overlays.flags())),
             ("rate", word(words::word_of(&words::RATES, flight.pace.rate))),
             ("loop", word(words::word_of(&words::LOOPS, flight.pace.is_looping))),
+            ("t", time_text(flight.instant.time)),
+            ("play", word(words::word_of(&words::PLAYS, flight.instant.is_playing))),
         ] {
             pieces.push((key.to_owned(), value));
         }
@@ -124,6 +129,9 @@ impl FlightView {
         let Pace { rate, is_looping } = &mut self.pace;
         *rate = pieces.take_word("rate", &words::RATES).unwrap_or(*rate);
         *is_looping = pieces.take_word("loop", &words::LOOPS).unwrap_or(*is_looping);
+        let Instant { time, is_playing } = &mut self.instant;
+        *time = pieces.take_as("t", read_time).unwrap_or(*time);
+        *is_playing = pieces.take_word("play", &words::PLAYS).unwrap_or(*is_playing);
     }
 }
 
@@ -144,6 +152,15 @@ impl Overlays {
         let Self { body_axes, earth_axes, angles, rates, forces, flow, path, moments } = self;
         [body_axes, earth_axes, angles, rates, forces, flow, path, moments]
     }
+}
+
+/// A time in hundredths of a second: finer than a frame of a screen.
+fn time_text(time: f64) -> String {
+    ((100.0 * time).round() / 100.0).to_string()
+}
+
+fn read_time(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|time| (0.0..=LONGEST_TIME).contains(time))
 }
 
 /// A standard view by its word, any other in whole degrees and per cent: short, and the same in every browser.

@@ -27,6 +27,9 @@ pub(super) const SPLITS: [(&str, bool); 2] = [("whole", false), ("modes", true)]
 /// Whether the playback begins again at its end.
 pub(super) const LOOPS: [(&str, bool); 2] = [("off", false), ("on", true)];
 
+/// Whether the playback plays when the scene is opened.
+pub(super) const PLAYS: [(&str, bool); 2] = [("off", false), ("on", true)];
+
 /// Seconds of motion played in a second.
 pub(super) const RATES: [(&str, f64); 9] = [
     ("0.125", 0.125),

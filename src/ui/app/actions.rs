@@ -9,8 +9,8 @@ use super::{App, PhonePane, Pinned};
 use crate::content::Aircraft;
 use crate::findings::{seen_in, watched_at};
 use crate::flight::aircraft::plane::Plane;
-use crate::scenario::view::Pace;
-use crate::scenario::{Choice, Disturbance, Source};
+use crate::scenario::view::{Instant, Pace};
+use crate::scenario::{Choice, Disturbance, Scenario, Source};
 use crate::ui::keys::Command;
 use crate::ui::theme::Look;
 
@@ -74,7 +74,7 @@ impl App {
                 let redone = self.history.redo(&before);
                 return self.restore(redone);
             }
-            Action::CopyLink => return self.share.copy(ui, &self.link()),
+            Action::CopyLink => return self.share.copy(ui, &self.link_with_instant()),
             Action::Help => {
                 self.panes.help = true;
                 return;
@@ -91,8 +91,17 @@ impl App {
             }
             Action::Unpin => self.pinned = None,
         }
+        self.rest_in_another(&before.scenario);
         self.history.end_step(&before);
         self.history.keep(ui, &self.scene());
+    }
+
+    /// Another aircraft or plane begins at time zero, at rest: it is another motion.
+    fn rest_in_another(&mut self, before: &Scenario) {
+        let Scenario { aircraft, plane, .. } = &self.scenario;
+        if (&before.aircraft.key, before.plane) != (&aircraft.key, *plane) {
+            self.panes.flight.begin(Instant::default());
+        }
     }
 
     /// Flies a mode alone, long enough to see what becomes of it, or goes back to what was before.
@@ -149,7 +158,9 @@ impl App {
 
     fn restore(&mut self, scene: Option<Scene>) {
         if let Some(Scene { scenario, pinned }) = scene {
-            (self.scenario, self.pinned) = (scenario, pinned);
+            let before = std::mem::replace(&mut self.scenario, scenario);
+            self.pinned = pinned;
+            self.rest_in_another(&before);
         }
     }
 }

@@ -150,6 +150,15 @@ impl App {
         link::write(&self.scenario, &self.view, pinned)
     }
 
+    /// The same with the instant at which the playback is: what a person sends on. The address bar leaves it out, since it changes in
+    /// every frame.
+    pub fn link_with_instant(&self) -> String {
+        let mut view = self.view.clone();
+        view.flight.instant = self.panes.flight.instant();
+        let pinned = self.pinned.as_ref().map(|pinned| &pinned.scenario);
+        link::write(&self.scenario, &view, pinned)
+    }
+
     /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
     pub fn open(&mut self, link: &str) {
         let Some(opened) = link::read(link, &self.aircraft) else { return };
@@ -159,6 +168,9 @@ impl App {
         self.pinned = opened.pinned.map(|scenario| Arc::new(Pinned::new(scenario)));
         self.scenario = opened.scenario;
         self.view = opened.view;
+        // From here on it is that of the playback.
+        self.panes.flight.begin(std::mem::take(&mut self.view.flight.instant));
+        self.panes.responses.leave();
         self.panes.flight.keep_overlays();
         self.panes.before_flight = ByPlane::default();
         // Before anyone asks for the link: it is to change by what a person does only.
