@@ -172,7 +172,10 @@ fn what_the_panes_show_is_in_the_link_and_opens_again() {
     harness.key_press(Key::R);
     harness.run();
     let link = app(&mut harness).link();
-    assert_eq!(link, "v=1&ac=navion&tab=phase&split=modes&marks=levels&pane=response&camera=side");
+    assert_eq!(
+        link,
+        "v=1&ac=navion&elevator=-1&tab=phase&split=modes&marks=levels&pane=response&camera=side"
+    );
     let mut other = page(WIDE);
     open(&mut other, &link);
     assert_eq!(app(&mut other).link(), link);
@@ -198,9 +201,10 @@ fn the_camera_and_the_quantities_are_in_the_link_and_undo_leaves_them_alone() {
     harness.drop_at(from + Vec2::new(80.0, 40.0));
     harness.run();
     let link = app(&mut harness).link();
-    let camera = link.strip_prefix("v=1&ac=navion&camera=").expect("a camera and nothing else");
+    let camera = link.strip_prefix("v=1&ac=navion&elevator=-1&camera=").expect("a camera and nothing else");
     assert_eq!(camera.split('.').filter(|number| number.parse::<i16>().is_ok()).count(), 3, "{camera}");
-    let shown = format!("v=1&ac=navion&lon.show=gamma.nz&camera={camera}&drawn=none&rate=0.5&loop=off");
+    let shown =
+        format!("v=1&ac=navion&elevator=-1&lon.show=gamma.nz&camera={camera}&drawn=none&rate=0.5&loop=off");
     open(&mut harness, &shown);
     assert_eq!(app(&mut harness).link(), shown);
     harness.get_by_label_contains("Δn_z in g against time");

@@ -59,7 +59,7 @@ fn the_motion_is_shown_over_time_as_portraits_over_frequency_and_in_numbers() {
         harness.get_by_label_contains("Δu in m/s against time");
         harness.get_by_role_and_label(Role::CheckBox, "Split into modes").click();
         harness.run();
-        harness.get_by_label_contains("Δu in m/s against time: between 0 and 10.9");
+        harness.get_by_label_contains("Δu in m/s against time: between −10.9 and 0");
         let least = if size == PHONE { 1 } else { 4 };
         assert!(harness.query_all_by_label_contains("with Short period, Phugoid").count() >= least, "{size}");
         harness.get_by_role_and_label(Role::Button, "Phase").click();
@@ -295,4 +295,20 @@ fn where_a_disturbance_is_no_longer_small_the_limit_is_told_and_the_nonlinear_fl
     open(&mut harness, "v=1&ac=lesson-printed&elevator=-3");
     assert!(said(&harness, "no longer small").contains("Δ"));
     assert_eq!(harness.query_all_by_label("Draw the nonlinear flight").count(), 0);
+}
+
+/// The page opens with a climb. Stick forward at sea level the height falls below the ground, and the plot says so.
+#[test]
+fn a_height_below_sea_level_is_told() {
+    let mut harness = page(WIDE);
+    let told = |harness: &page::Page| harness.query_all_by_label_contains("falls below sea level").count();
+    let heights = motion(&harness).values(Output::Height);
+    assert!(heights.iter().fold(0.0, |most: f64, h| most.max(*h)) > 50.0);
+    assert_eq!(told(&harness), 0);
+    open(&mut harness, "v=1&ac=navion&elevator=1");
+    assert_eq!(told(&harness), 1);
+    assert!(said(&harness, "Legend: ").contains("sea level, dashed"));
+    // At 40,000 ft there is air enough below.
+    open(&mut harness, "v=1&ac=b747-fc9&elevator=1");
+    assert_eq!(told(&harness), 0);
 }

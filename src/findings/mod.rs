@@ -32,6 +32,7 @@ use thiserror::Error;
 
 use crate::flight::aircraft::aircraft_model::AircraftModel;
 use crate::flight::aircraft::coefficients::Coefficients;
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{GravityCheck, Motion, PlaneAnalysis, motion};
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
@@ -163,6 +164,21 @@ impl Findings {
     /// The motion in the plane on screen.
     pub fn motion(&self) -> Option<&Motion> {
         self.analysis().as_ref().ok()?.motion.as_ref()
+    }
+
+    /// The ground in heights gained on the steady flight \[m\], where the motion goes below it while it is small: the altitude of the
+    /// case counts from sea level, and the linear model knows no ground.
+    pub fn ground(&self) -> Option<f64> {
+        let motion = self.motion().filter(|motion| motion.model.plane == Plane::Longitudinal)?;
+        let Scenario { edited, aircraft, .. } = &self.scenario;
+        let altitude = match &edited.aircraft_model {
+            AircraftModel::Coefficients(model) => model.condition.altitude,
+            AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => aircraft.particulars.altitude?,
+        };
+        let heights = motion.values(Output::Height);
+        let lowest = heights.iter().take(motion.small_samples()).copied().fold(0.0, f64::min);
+        // The lift of the elevator itself takes it down by millimetres before it climbs.
+        (lowest < -altitude - 1.0).then_some(-altitude)
     }
 
     /// The same motion at other samples: `steps` between them, one less than their number.

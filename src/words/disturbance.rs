@@ -38,3 +38,6 @@ pub fn choice(choice: &Choice) -> String {
         None => source(choice.source).to_owned(),
     }
 }
+
+/// Said where the height falls below sea level.
+pub const BELOW_GROUND: &str = "The height falls below sea level: the linear model knows no ground, and asks only how the motion goes on.";

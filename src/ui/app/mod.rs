@@ -111,7 +111,9 @@ impl App {
         let Some(first) = aircraft.first() else {
             return Err(content_errors.swap_remove(0));
         };
-        let scenario = Scenario::new(first.clone());
+        let mut scenario = Scenario::new(first.clone());
+        // The stick comes back, so that the first thing to be seen is a climb. A link without a word of it has the opposite.
+        scenario.disturbance.sizes.elevator = -scenario.disturbance.sizes.elevator;
         let findings = Rc::new(Findings::of(scenario.clone()));
         Ok(Self {
             aircraft,

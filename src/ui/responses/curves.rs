@@ -1,5 +1,7 @@
 //! The motion of a scenario as curves in shown units.
 
+use std::ops::RangeInclusive;
+
 use egui::Color32;
 
 use crate::content::LengthUnit;
@@ -55,6 +57,18 @@ pub fn path(findings: &Findings, parts: usize, pattern: Pattern, color: Color32)
     let flown = |k: usize| k as f64 * steady + ahead.as_ref().map_or(0.0, |ahead| ahead[k]);
     let points = aside.iter().enumerate().map(|(k, aside)| PlotPoint::new(flown(k), *aside)).collect();
     Some(Curve::new(name, points, color, pattern).faded_after(motion.small_samples()).directed())
+}
+
+/// The ground as a level line over a range, where the motion goes below it.
+pub fn ground(
+    findings: &Findings,
+    across: RangeInclusive<f64>,
+    unit: f64,
+    palette: &Palette,
+) -> Option<Curve> {
+    let height = findings.ground()? / unit;
+    let points = [*across.start(), *across.end()].map(|x| PlotPoint::new(x, height)).to_vec();
+    Some(Curve::new("sea level", points, palette.warning, Pattern::Dashed))
 }
 
 /// An output of the nonlinear flight as a curve of time, where there is one.

@@ -97,6 +97,9 @@ impl Responses {
         if view.tab != Tab::Frequency {
             large_ui(ui, view, findings);
         }
+        if findings.ground().is_some() && matches!(view.tab, Tab::Time | Tab::Phase) {
+            note_ui(ui, words::disturbance::BELOW_GROUND);
+        }
         if let Some(end) = view.shows_flight().then(|| end_of_flight(findings)).flatten() {
             note_ui(ui, &end);
         }

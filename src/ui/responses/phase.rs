@@ -104,6 +104,9 @@ fn path(canvas: Canvas<'_>) -> PlotContent {
     let Canvas { findings, pinned, palette, .. } = canvas;
     let path = |of: &Findings, pattern, color| curves::path(of, parts(of), pattern, color);
     let mut drawn: Vec<Curve> = path(findings, Pattern::Full, palette.text).into_iter().collect();
+    if let Some(far) = drawn.first().and_then(|curve| curve.points.last()).map(|last| last.x) {
+        drawn.extend(curves::ground(findings, 0.0..=far, 1.0, palette));
+    }
     drawn.extend(pinned.and_then(|pinned| path(pinned, Pattern::Dashed, palette.pinned)));
     let symbol = match findings.scenario().plane {
         Plane::Longitudinal => "Δh",

@@ -65,6 +65,9 @@ impl CachedPlots {
             }
             // The pinned state is drawn in the units of the one on screen.
             drawn.extend(pinned.and_then(|pinned| linear(pinned, Pattern::Dashed, palette.pinned)));
+            if output == Output::Height {
+                drawn.extend(curves::ground(findings, 0.0..=duration, unit, palette));
+            }
             let small_until = findings.motion().and_then(|motion| motion.small_until);
             let beyond = small_until.map(|time| time..=duration);
             pictures.push(PlotContent { beyond, ..PlotContent::of_time(quantity.symbol, symbol, drawn) });
