@@ -654,6 +654,84 @@ fn a_button_of_a_card_stays_under_the_pointer() {
     }
 }
 
+#[test]
+fn a_search_finds_symbols_as_they_are_typed_and_points_to_where_else_it_would_find() {
+    let mut harness = page(WIDE);
+    let stiffness = "pitch stiffness C_mα";
+    let shift = "shift of the centre of gravity Δx_cg/c";
+    for (text, name) in [
+        ("cma", stiffness),
+        ("cm alpha", stiffness),
+        ("cmalpha", stiffness),
+        ("Cm_alpha", stiffness),
+        ("c.g.", shift),
+        ("cg", shift),
+        ("CLq", "lift due to pitch rate C_Lq"),
+    ] {
+        type_into_search(&mut harness, text);
+        assert_eq!(harness.query_all_by_role_and_label(Role::Slider, name).count(), 1, "{text}");
+        harness.get_by_label("Show all sliders").click();
+        harness.run();
+    }
+    for (text, place) in [
+        ("dihedral", "is under Lateral–directional."),
+        ("Z_w", "is under Dimensional."),
+        ("no such thing", "No slider of this page matches “no such thing”."),
+    ] {
+        type_into_search(&mut harness, text);
+        let sentence = harness.get_by_label_contains("No slider of this page").accesskit_node().value();
+        let label = harness.get_by_label_contains("No slider of this page").accesskit_node().label();
+        let said = label.or(sentence).unwrap_or_default();
+        assert!(said.ends_with(place), "{text}: {said}");
+        harness.get_by_label("Show all sliders").click();
+        harness.run();
+    }
+}
+
+#[test]
+fn the_switch_of_planes_keeps_its_place_whatever_aircraft_is_chosen() {
+    let mut harness = page(WIDE);
+    let width =
+        |harness: &page::Page| harness.get_by_role_and_label(Role::ComboBox, "Aircraft").rect().width();
+    let first = width(&harness);
+    for (file, _) in eigenwing::content::FILES {
+        let aircraft = file.strip_suffix(".toml").expect("a file of an aircraft");
+        open(&mut harness, &format!("v=1&ac={aircraft}"));
+        assert!((width(&harness) - first).abs() < 0.5, "{aircraft}: {} not {first}", width(&harness));
+    }
+}
+
+#[test]
+fn chips_of_levels_have_one_form_and_one_order() {
+    let mut harness = page(WIDE);
+    let mut chips = 0;
+    for link in ["v=1&ac=navion", "v=1&ac=navion&plane=lat", "v=1&ac=navion&cg=15.38"] {
+        open(&mut harness, link);
+        let stable: Vec<egui::Rect> = harness.query_all_by_label("stable").map(|chip| chip.rect()).collect();
+        for level in harness.query_all_by_label_contains("Level of the ").map(|chip| chip.rect()) {
+            let beside = stable.iter().find(|chip| (chip.center().y - level.center().y).abs() < 4.0);
+            assert!(beside.is_some_and(|chip| chip.right() < level.left()), "{link}: {level} {stable:?}");
+            chips += 1;
+        }
+    }
+    assert!(chips >= 6, "{chips}");
+}
+
+#[test]
+fn every_list_of_disturbances_is_whole() {
+    let mut harness = page(WIDE);
+    harness.get_by_role_and_label(Role::ComboBox, "Disturbance").click();
+    harness.run();
+    let last = harness.get_by_role_and_label(Role::Button, "One mode").rect();
+    // Where it stands it can be pressed: nothing scrolls.
+    harness.hover_at(last.center());
+    harness.run();
+    harness.drag_at(last.center());
+    harness.drop_at(last.center());
+    harness.run();
+    assert_eq!(app(&harness).scenario().disturbance.choices[Plane::Longitudinal].source, Source::OneMode);
+}
+
 fn type_into_search(harness: &mut page::Page, text: &str) {
     harness.get_by_role_and_label(Role::TextInput, "Find a derivative").focus();
     harness.run();

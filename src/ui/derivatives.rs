@@ -15,6 +15,7 @@ use super::theme::{self, Palette};
 use super::{arrow_keys, finger, influence};
 use crate::content::LengthUnit;
 use crate::findings::{Findings, RowSensitivity};
+use crate::flight::aircraft::plane::Plane;
 use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
@@ -104,7 +105,9 @@ pub fn derivatives_ui(
             let text = if search.trim().is_empty() {
                 words::sliders::NONE.to_owned()
             } else {
-                words::sliders::no_match(search.trim())
+                let elsewhere = elsewhere(scenario, *page, search);
+                let sentences = [Some(words::sliders::no_match(search.trim())), elsewhere];
+                sentences.into_iter().flatten().collect::<Vec<_>>().join(" ")
             };
             ui.label(RichText::new(text).font(theme::small()));
         } else {
@@ -185,11 +188,28 @@ pub fn is_listed(parameter: &Parameter, scenario: &Scenario, page: Page, search:
 /// A search of fewer letters is for symbols and names only: it would be found in nearly every sentence.
 const FOR_SENTENCES: usize = 3;
 
-/// Whether the symbol as plain text, with or without its underscore, or the name has the wanted letters in it, or what is said
-/// of its meaning, sign and source has a word that begins with them. Who writes an underscore wants a symbol, not what moves it.
+/// Letters and figures alone, Greek ones as one would type them on a plain keyboard: `C_mα` is `cma`.
+fn condensed(text: &str) -> String {
+    let latin = |c: char| match c {
+        'α' => 'a',
+        'β' => 'b',
+        'γ' | 'Γ' => 'g',
+        'δ' | 'Δ' => 'd',
+        'θ' => 't',
+        'φ' => 'f',
+        _ => c,
+    };
+    text.to_lowercase().chars().map(latin).filter(|c| c.is_alphanumeric()).collect()
+}
+
+/// Whether the symbol as plain text, the key or the name has the wanted letters in it, whatever stands between them, or what is
+/// said of its meaning, sign and source has a word that begins with them. Who writes an underscore wants a symbol, not what
+/// moves it.
 fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
-    let symbol = Symbol::parse(parameter.symbol).plain().to_lowercase();
-    let in_symbol = symbol.contains(wanted) || symbol.replace('_', "").contains(wanted);
+    let letters = condensed(wanted);
+    if letters.is_empty() && !wanted.is_empty() {
+        return false;
+    }
     let begins_a_word = |text: &str| {
         let text = text.to_lowercase();
         let begins =
@@ -201,10 +221,26 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
             && !wanted.contains('_')
             && [parameter.meaning, parameter.sign, parameter.origin].into_iter().any(begins_a_word)
     };
-    in_symbol
-        || parameter.key.contains(wanted)
+    condensed(&Symbol::parse(parameter.symbol).plain()).contains(&letters)
+        || condensed(parameter.key).contains(&letters)
         || parameter.name.to_lowercase().contains(wanted)
         || in_sentences()
+}
+
+/// Where else the search would find something: the page and the plane of the first slider that it finds.
+fn elsewhere(scenario: &Scenario, page: Page, search: &str) -> Option<String> {
+    let other = match scenario.plane {
+        Plane::Longitudinal => Plane::Lateral,
+        Plane::Lateral => Plane::Longitudinal,
+    };
+    let turned = Scenario { plane: other, ..scenario.clone() };
+    let first = |scenario: &Scenario, page: Page| parameters().find(|p| is_listed(p, scenario, page, search));
+    let on_page = |page: Page| first(scenario, page).map(|p| (p, words::sliders::page(page)));
+    let in_plane = |page: Page| first(&turned, page).map(|p| (p, words::view::plane(other)));
+    let found = in_plane(page)
+        .or_else(|| Page::ALL.into_iter().find_map(on_page))
+        .or_else(|| Page::ALL.into_iter().find_map(in_plane));
+    found.map(|(p, place)| words::sliders::elsewhere(p.name, place))
 }
 
 /// The name of a group, and its reset where something in it has been edited.
@@ -465,7 +501,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let shown = trimmed(parameter.get(scenario) / in_si, 4);
     let symbol = Symbol::parse(parameter.symbol);
     // Its width beforehand, so that a row that wraps keeps it together.
-    let symbol_width = ui.painter().layout_job(symbol.job(theme::sizes(ui).symbol, palette.text)).size().x;
+    let symbol_width = symbol.galley(ui, theme::sizes(ui).symbol, palette.text).size().x;
     let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
     let width = symbol_width + COMPACT_FIELD + unit_width + 3.0 * ui.spacing().item_spacing.x + 16.0;
     let size = Vec2::new(width, ui.spacing().interact_size.y);

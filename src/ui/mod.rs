@@ -28,3 +28,4 @@ mod theme;
 mod top_bar;
 
 pub use app::App;
+pub use palette::Look;

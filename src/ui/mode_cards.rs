@@ -119,10 +119,12 @@ fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
     let room = ui.available_width() - chips;
     let name_width = ui.painter().layout_no_wrap(name.to_owned(), font.clone(), color).size().x;
     let name = RichText::new(name).font(font).color(color);
-    if name_width <= room {
+    if name_width + ui.spacing().item_spacing.x <= room {
         ui.horizontal(|ui| {
             theme::heading(ui, name, 3);
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| chips_ui(ui, plane, mode, details));
+            // At the right, and in the same order as below a name.
+            ui.add_space(room - name_width - ui.spacing().item_spacing.x);
+            chips_ui(ui, plane, mode, details);
         });
     } else {
         theme::heading(ui, name, 3);
@@ -236,7 +238,7 @@ fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<S
     let mark = if details.levels { "▾" } else { "▸" };
     let level = match worst(plane, mode) {
         Some((level, task)) => {
-            Some(format!("{} {} {mark}", words::verdict::level(level), task.category.letter()))
+            Some(format!("{} · Cat {} {mark}", words::verdict::level(level), task.category.letter()))
         }
         None => (!plane.levels.is_empty()).then(|| NO_LEVEL.to_owned()),
     };
@@ -249,17 +251,11 @@ fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<(Level, Task)> {
 }
 
 fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
-    let [stability, short] = chip_texts(plane, mode, *details);
+    let [stability, level_text] = chip_texts(plane, mode, *details);
     chip_ui(ui, stability.unwrap_or_default(), Palette::of(ui).verdict(mode.stability));
-    if let Some(((level, task), short)) = worst(plane, mode).zip(short) {
+    if let Some(((level, task), level_text)) = worst(plane, mode).zip(level_text) {
         let (color, ground) = Palette::of(ui).verdict(tone(level));
-        let mark = if details.levels { "▾" } else { "▸" };
-        let long = format!("{} · Cat {} {mark}", words::verdict::level(level), task.category.letter());
-        let galley = ui.painter().layout_no_wrap(long.clone(), theme::semibold(theme::sizes(ui).chip), color);
-        let fits = galley.size().x + 2.0 * CHIP_MARGIN <= ui.available_width();
-        let text = RichText::new(if fits { long } else { short })
-            .font(theme::semibold(theme::sizes(ui).chip))
-            .color(color);
+        let text = RichText::new(level_text).font(theme::semibold(theme::sizes(ui).chip)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(CHIP_MARGIN, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         theme::focus_ring(ui, &chip);

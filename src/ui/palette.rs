@@ -8,6 +8,7 @@ use egui::{Color32, Context, CornerRadius, Stroke, Theme, Ui, Visuals};
 
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
+use crate::key::keys;
 use crate::shape::{Finish, Material};
 
 /// Radius of the corners of a control: from 6 on egui draws them with twice as many points, in every frame, and nobody sees it.
@@ -313,7 +314,20 @@ pub enum Look {
     Projector,
 }
 
+keys! {
+    Look {
+        Light => "light",
+        Dark => "dark",
+        Projector => "projector",
+    }
+}
+
 impl Look {
+    /// The look that a person has chosen; `None` while it is that of the system.
+    pub fn chosen(ctx: &Context) -> Option<Self> {
+        ctx.data(|data| data.get_temp::<bool>(projector_id())).map(|_| Self::of(ctx))
+    }
+
     /// The look in force. Until one is chosen it is that of the system.
     pub fn of(ctx: &Context) -> Self {
         let dark = ctx.theme() == Theme::Dark;
@@ -487,6 +501,7 @@ impl Palette {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::key::Keyed as _;
     use crate::words;
 
     const MODES: [ModeName; 23] = [
@@ -584,6 +599,17 @@ mod tests {
             for color in words.into_iter().chain(p.forces).chain(p.axes) {
                 check(look, 4.5, "words on the picture", color, &behind);
             }
+        }
+    }
+
+    #[test]
+    fn a_look_is_chosen_once_it_is_set_and_known_by_its_key() {
+        let ctx = Context::default();
+        assert_eq!(Look::chosen(&ctx), None);
+        for look in [Look::Projector, Look::Dark, Look::Light] {
+            look.set(&ctx);
+            assert_eq!(Look::chosen(&ctx), Some(look));
+            assert_eq!(Look::from_key(look.key()), Some(look));
         }
     }
 

@@ -12,11 +12,13 @@
 //! | `-` | − |
 //! | a letter and U+0307, such as `α̇` | the letter with a dot above |
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Color32, FontId, Response, Sense, Ui, Vec2, WidgetInfo};
+use egui::{Align, Color32, FontId, Galley, Response, Sense, Ui, Vec2, WidgetInfo};
 
-use super::fonts;
+use super::{fonts, theme};
 
 /// Set upright, when they stand between what aren't Latin letters.
 const WORDS: [&str; 18] = [
@@ -69,7 +71,7 @@ pub fn symbol_ui(
     color: Color32,
     width: Option<f32>,
 ) -> Response {
-    let galley = ui.painter().layout_job(symbol.job(size, color));
+    let galley = symbol.galley(ui, size, color);
     let room =
         Vec2::new(width.unwrap_or(galley.size().x), ui.spacing().interact_size.y.min(ui.available_height()));
     let (place, response) = ui.allocate_exact_size(room, Sense::hover());
@@ -124,6 +126,19 @@ impl<'a> Symbol<'a> {
             let font_id = FontId::new(font_size, family);
             job.append(&text, 0.0, TextFormat { font_id, color, valign, line_height, ..Default::default() });
         }
+    }
+
+    /// Typeset beside text and controls.
+    pub fn galley(&self, ui: &Ui, size: f32, color: Color32) -> Arc<Galley> {
+        if self.is_word() {
+            return ui.painter().layout_no_wrap(self.0.to_owned(), theme::body(), color);
+        }
+        ui.painter().layout_job(self.job(size, color))
+    }
+
+    /// Whether it is a word, which belongs into the face of the text.
+    fn is_word(&self) -> bool {
+        WORDS.contains(&self.0)
     }
 
     /// As plain text, for an accessible name or a file: `C_mα`, `U_0 + Z_q`.

@@ -129,6 +129,8 @@ pub fn install(ctx: &Context) {
         // A list that opens may be taller than is usual: there are many aircraft.
         style.spacing.default_area_size.y = 640.0;
         style.spacing.menu_margin = Margin::same(6);
+        // None of the short lists scrolls.
+        style.spacing.combo_height = 420.0;
         // A list that goes on says so before a mouse is over it.
         style.spacing.scroll.dormant_handle_opacity = 0.35;
         style.visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);

@@ -62,6 +62,8 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     let now = &bar.scenario.aircraft;
+    // The same for every aircraft, so that nothing beside it moves when another is chosen.
+    let width = if bar.roomy { 360.0 } else { 190.0 };
     let chooser = ComboBox::from_id_salt("aircraft")
         // As tall as the page; where that is not enough, a scroll bar says so before the pointer is there.
         .height((ui.ctx().content_rect().bottom() - ui.max_rect().bottom() - 60.0).max(160.0))
@@ -70,7 +72,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             style.spacing.scroll =
                 ScrollStyle { bar_width: 8.0, foreground_color: true, ..ScrollStyle::solid() };
         }))
-        .width(if bar.roomy { 330.0 } else { 190.0 })
+        .width(width)
         .truncate()
         .selected_text(if bar.roomy {
             format!("{} · {}", now.name, now.condition)
@@ -79,7 +81,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         });
     // On a phone the longest of them have two lines.
     let room = ui.content_rect().width() - LIST_MARGINS;
-    let chooser = chooser.show_ui(ui, |ui| {
+    let list = |ui: &mut Ui| {
         if bar.narrow {
             ui.set_max_width(room);
             ui.style_mut().wrap_mode = Some(TextWrapMode::Wrap);
@@ -96,7 +98,12 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
                 ui.close();
             }
         }
-    });
+    };
+    let fixed = |ui: &mut Ui| {
+        ui.set_max_width(width);
+        chooser.show_ui(ui, list)
+    };
+    let chooser = ui.scope(fixed).inner;
     let response = theme::name_chooser(chooser, "Aircraft", &now.name);
     response.on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
     action
@@ -132,8 +139,9 @@ fn remarks(status_reason: &str, aircraft: &Aircraft) -> String {
 fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     bar.scenario.aircraft.plane_notes.lateral.as_ref()?;
-    let words = if bar.narrow { ["Long.", "Lateral"] } else { ["Longitudinal", "Lateral–directional"] };
-    for (plane, text) in Plane::ALL.into_iter().zip(words) {
+    let short = ["Long.", "Lateral"];
+    for (plane, short) in Plane::ALL.into_iter().zip(short) {
+        let text = if bar.narrow { short } else { words::view::plane(plane) };
         if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
             action = Some(Action::Turn(plane));
         }

@@ -96,7 +96,7 @@ fn fragment(window: &Window) -> String {
 }
 
 /// A browser may forbid storage, or have none left.
-fn storage(window: &Window) -> Option<Storage> {
+pub(super) fn storage(window: &Window) -> Option<Storage> {
     window.local_storage().ok().flatten()
 }
 

@@ -1,6 +1,7 @@
 //! The browser: starting on the page's canvas, telling the page how it went, the address bar, the JavaScript handle.
 
 mod address;
+mod look;
 
 use std::any::Any;
 
@@ -10,6 +11,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Event, HtmlCanvasElement};
 
 use address::AddressBar;
+use look::KeptLook;
 
 use crate::export;
 use crate::ui::App;
@@ -44,11 +46,12 @@ async fn run() -> Result<(), JsValue> {
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
         let mut app = App::new(&cc.egui_ctx)?;
         let address = AddressBar::start(&mut app);
+        let look = KeptLook::start(&cc.egui_ctx);
         if reduced_motion {
             cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
         }
         cc.egui_ctx.add_plugin(egui_dom_mirror::Mirror);
-        Ok(Box::new(Page { app, address, frames: 0 }))
+        Ok(Box::new(Page { app, address, look, frames: 0 }))
     });
     runner.start(canvas, WebOptions::default(), create).await
 }
@@ -80,6 +83,7 @@ fn failed(sentence: &str) {
 struct Page {
     app: App,
     address: AddressBar,
+    look: KeptLook,
     frames: u32,
 }
 
@@ -94,6 +98,7 @@ impl eframe::App for Page {
         self.address.read(&mut self.app);
         self.app.ui(ui);
         self.address.follow(ui, &self.app);
+        self.look.follow(ui);
         if let Some(sentence) = self.app.take_unsaid() {
             egui_dom_mirror::announce(&sentence);
         }

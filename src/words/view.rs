@@ -1,5 +1,6 @@
 //! Parts of the page.
 
+use crate::flight::aircraft::plane::Plane;
 use crate::scenario::view::{Pane, StandardView, Tab};
 
 /// A tab of the responses.
@@ -38,5 +39,13 @@ pub const fn standard_view_in_words(view: StandardView) -> &'static str {
         StandardView::Chase => "View from behind",
         StandardView::Side => "View from the right",
         StandardView::Top => "View from above",
+    }
+}
+
+/// A plane of motion, as the switch at the top of the page has it.
+pub const fn plane(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Longitudinal => "Longitudinal",
+        Plane::Lateral => "Lateral–directional",
     }
 }

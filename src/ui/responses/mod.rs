@@ -11,9 +11,11 @@ mod time;
 
 use std::rc::Rc;
 
+use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, Rect, RichText, Ui};
 
 use super::derivatives::Rows;
+use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
@@ -205,12 +207,12 @@ fn note_ui(ui: &mut Ui, text: &str) {
 /// A chooser of one output, by its id and its name.
 fn output_ui(ui: &mut Ui, id: &str, name: &str, plane: Plane, output: &mut Output) {
     let now = Quantity::of(*output);
-    let chooser = egui::ComboBox::from_id_salt(("output", id)).width(56.0).selected_text(word(now));
+    let chooser = egui::ComboBox::from_id_salt(("output", id)).width(56.0).selected_text(symbol(ui, now));
     let chooser = chooser.show_ui(ui, |ui| {
         for &other in Output::of(plane) {
             let quantity = Quantity::of(other);
-            let text = format!("{} · {}", word(quantity), quantity.name);
-            if ui.selectable_label(*output == other, text).clicked() {
+            let choice = ui.selectable_label(*output == other, line(ui, quantity));
+            if choice.accessible_name(plain_line(quantity)).clicked() {
                 *output = other;
                 ui.close();
             }
@@ -219,9 +221,22 @@ fn output_ui(ui: &mut Ui, id: &str, name: &str, plane: Plane, output: &mut Outpu
     theme::name_chooser(chooser, name, now.name);
 }
 
-/// A quantity's symbol as plain text.
-fn word(quantity: Quantity) -> String {
-    super::symbol::Symbol::parse(quantity.symbol).plain()
+/// A quantity's symbol, typeset.
+fn symbol(ui: &Ui, quantity: Quantity) -> LayoutJob {
+    Symbol::parse(quantity.symbol).job(theme::sizes(ui).inline_symbol, Palette::of(ui).text)
+}
+
+/// A quantity's symbol and its name.
+fn line(ui: &Ui, quantity: Quantity) -> LayoutJob {
+    let mut line = symbol(ui, quantity);
+    let name = TextFormat::simple(theme::body(), Palette::of(ui).text);
+    line.append(&format!(" · {}", quantity.name), 0.0, name);
+    line
+}
+
+/// The same for screen readers.
+fn plain_line(quantity: Quantity) -> String {
+    format!("{} · {}", Symbol::parse(quantity.symbol).plain(), quantity.name)
 }
 
 #[cfg(test)]

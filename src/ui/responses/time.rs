@@ -6,7 +6,7 @@ use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 
 use super::curves::units;
 use super::legend::{self, Entry};
-use super::{CacheKey, Canvas, curves, kept, note_ui, word};
+use super::{CacheKey, Canvas, curves, kept, line, note_ui, plain_line};
 use crate::content::LengthUnit;
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
@@ -137,7 +137,8 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, chosen: &mut Vec<Output>, split: &
         for &output in Output::of(plane) {
             let quantity = Quantity::of(output);
             let mut on = chosen.contains(&output);
-            if ui.checkbox(&mut on, format!("{} · {}", word(quantity), quantity.name)).clicked() {
+            let shown = ui.checkbox(&mut on, line(ui, quantity));
+            if shown.accessible_name(plain_line(quantity)).clicked() {
                 if on {
                     chosen.push(output);
                 } else if chosen.len() > 1 {
