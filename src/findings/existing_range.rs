@@ -4,6 +4,9 @@ use std::ops::RangeInclusive;
 
 use crate::scenario::{Page, Parameter, Scenario, parameters};
 
+/// Key of a parameter, and the part of its slider's range in which there is a flight \[SI\].
+pub(super) type Of = (&'static str, RangeInclusive<f64>);
+
 /// Halvings between a value that exists and one that doesn't: 4096 parts of the range, finer than a slider.
 const HALVINGS: usize = 12;
 
@@ -11,7 +14,7 @@ const HALVINGS: usize = 12;
 const TRIED: usize = 24;
 
 /// For each parameter of a page of which only a part of the range exists, that part \[SI\].
-pub(super) fn of_page(scenario: &Scenario, page: Page) -> Vec<(&'static str, RangeInclusive<f64>)> {
+pub(super) fn of_page(scenario: &Scenario, page: Page) -> Vec<Of> {
     let partly = |p: &'static Parameter| Some((p.key, existing(scenario, p)?));
     parameters().filter(|p| p.is_shown(scenario, page)).filter_map(partly).collect()
 }

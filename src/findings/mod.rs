@@ -62,7 +62,7 @@ pub struct Findings {
     /// One a page of sliders.
     sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::ALL.len()],
     /// Likewise.
-    existing: [OnceCell<Vec<(&'static str, RangeInclusive<f64>)>>; Page::ALL.len()],
+    existing: [OnceCell<Vec<existing_range::Of>>; Page::ALL.len()],
     coefficients: OnceCell<Option<Coefficients>>,
     level_boundaries: OnceCell<Vec<Boundary>>,
     flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,
