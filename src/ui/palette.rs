@@ -609,7 +609,7 @@ mod tests {
         for look in [Look::Projector, Look::Dark, Look::Light] {
             look.set(&ctx);
             assert_eq!(Look::chosen(&ctx), Some(look));
-            assert_eq!(Look::from_key(look.key()), Some(look));
+            assert_eq!(Look::by_key(look.key()), Some(look));
         }
     }
 
