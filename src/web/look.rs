@@ -19,7 +19,7 @@ impl KeptLook {
         let stored = web_sys::window()
             .and_then(|window| storage(&window))
             .and_then(|storage| storage.get_item(LOOK).ok().flatten());
-        let look = stored.as_deref().and_then(Look::from_key);
+        let look = stored.as_deref().and_then(Look::by_key);
         if let Some(look) = look {
             look.set(ctx);
         }
