@@ -401,7 +401,8 @@ impl Visit {
         }
         self.page.input_mut().events.push(Event::WindowFocused(true));
         self.page.input_mut().events.push(Event::PointerGone);
-        for _ in 0..2 {
+        // A field, a list, a sheet and a maximised pane may be in front, one over the other.
+        for _ in 0..4 {
             self.page.key_press(Key::Escape);
             self.frame(0.1);
         }
