@@ -44,7 +44,7 @@ pub struct Room<'a> {
 }
 
 impl Scale {
-    /// The round numbers in a range: as many as have room, but never fewer than two, since one is no scale.
+    /// The round numbers in a range: as many as have room, three where there is any for them, and never fewer than two, since one is no scale.
     pub fn ticks(self, range: &RangeInclusive<f64>, room: Room<'_>) -> Vec<Tick> {
         match self {
             Self::Even => even(range, room),
@@ -111,6 +111,11 @@ fn even(range: &RangeInclusive<f64>, room: Room<'_>) -> Vec<Tick> {
         let finer = of(step);
         let crowded = room.is_crowded(range, &finer);
         if crowded && chosen.len() >= 2 {
+            // Two are read with effort: three or more are better, as long as their labels keep apart.
+            let tight = Room { apart: 0.0, ..room };
+            if chosen.len() < 3 && !tight.is_crowded(range, &finer) {
+                chosen = finer;
+            }
             break;
         }
         chosen = finer;
@@ -178,6 +183,19 @@ mod tests {
     }
 
     #[test]
+    fn where_there_is_room_for_three_labels_there_are_three() {
+        // Upward, of labels 10 points high, that would rather be 24 apart.
+        let upward = |range: RangeInclusive<f64>| {
+            let room = Room { length: 123.0, apart: 24.0, extent: &|_| 10.0, overhang: 1.0 };
+            Scale::Even.ticks(&range, room).into_iter().map(|tick| tick.label).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(upward(-4.5..=7.0), "−4 −2 0 2 4 6");
+        // Zero has no room at the very bottom.
+        assert_eq!(upward(-0.2..=12.0), "2 4 6 8 10");
+        assert_eq!(upward(-1.0..=12.0), "0 5 10");
+    }
+
+    #[test]
     fn phases_are_divided_into_right_angles() {
         assert_eq!(labels(Scale::RightAngles, -290.0..=10.0, 290.0), "−270 −180 −90 0");
         assert_eq!(labels(Scale::RightAngles, -1200.0..=0.0, 290.0), "−1080 −900 −720 −540 −360 −180 0");
@@ -209,7 +227,10 @@ mod tests {
             let room = Room { length, apart: 28.0, extent: &|_| 12.0, overhang: 6.0 };
             let ticks = Scale::Even.ticks(&range, room);
             prop_assert!(ticks.len() >= 2, "{} of them", ticks.len());
-            prop_assert!(length < 130.0 || !room.is_crowded(&range, &ticks), "{ticks:?}");
+            prop_assert!(length < 130.0 || ticks.len() >= 3, "{ticks:?}");
+            // For the third label they may come nearer, but none touches another.
+            let tight = Room { apart: 0.0, ..room };
+            prop_assert!(length < 130.0 || !tight.is_crowded(&range, &ticks), "{ticks:?}");
             for pair in ticks.windows(2) {
                 prop_assert!(pair[0].value < pair[1].value);
                 prop_assert!(power < -6 || pair[0].label != pair[1].label, "{} twice", pair[0].label);
