@@ -22,11 +22,11 @@ test("the address follows an edit, and opened elsewhere it has the same poles to
   await first.ready();
   assert.equal(fragment(first.page), "", "clean until something differs");
   await first.slider("pitch damping C_mq").fill("-12.5");
-  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5");
+  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&elevator=-1");
   await first.slider("airspeed V").fill("61");
-  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61");
+  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61&elevator=-1&follows=100");
   await first.page.getByRole("button", { name: "Lateral–directional" }).dispatchEvent("click");
-  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61&plane=lat");
+  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61&plane=lat&elevator=-1");
 
   const second = await open(t, { fragment: fragment(first.page) });
   await second.ready();
@@ -50,7 +50,7 @@ test("the address waits until a drag has ended", async (t) => {
   assert.equal(fragment(page), "");
   await page.mouse.up();
   const { cm_alpha } = (await state()).parameters;
-  await addressBecomes(page, `#v=1&ac=navion&cm_alpha=${cm_alpha}`);
+  await addressBecomes(page, `#v=1&ac=navion&cm_alpha=${cm_alpha}&elevator=-1`);
 });
 
 test("a reload keeps the scene, and so does a visit without a link", async (t) => {
@@ -98,7 +98,7 @@ test("a damaged link opens what it can and says what it left out, in the page an
   await page.getByRole("button", { name: "Dismiss" }).dispatchEvent("click");
   await page.locator("#mirror").getByText(/made by a newer version/).waitFor({ state: "detached" });
   await slider("pitch damping C_mq").fill("-12.5");
-  await addressBecomes(page, "#v=1&ac=navion&cm_q=-12.5&speed=60");
+  await addressBecomes(page, "#v=1&ac=navion&cm_q=-12.5&speed=60&follows=100");
   assert.deepEqual([...seen.errors, ...seen.console], []);
 });
 
