@@ -170,3 +170,16 @@ fn the_aircraft_stays_at_the_last_small_state() {
     let flown = findings.trajectory(true).expect("a flight");
     assert_eq!(flown.flown_until(), flown.end());
 }
+
+#[test]
+fn the_whole_path_begins_and_ends_with_the_motion_and_is_as_long_as_the_flight() {
+    let scenario = scenarios().next().expect("the Navion");
+    let findings = Findings::of(scenario);
+    let flown = findings.trajectory(false).expect("a motion");
+    let path = flown.whole_path(1.0);
+    let (first, last) = (path[0], path[path.len() - 1]);
+    assert_eq!(first, flown.pose(0.0, 1.0).position);
+    assert_eq!(last, flown.pose(flown.end(), 1.0).position);
+    let flown_straight = flown.motion.model.trim.speed * flown.end();
+    assert!((2.0 * flown.path_reach(1.0) / flown_straight - 1.0).abs() < 0.2, "{}", flown.path_reach(1.0));
+}

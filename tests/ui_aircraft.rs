@@ -68,6 +68,8 @@ impl Pane {
                 is_drag_known: true,
             },
             path: &path,
+            path_reach: 99.0,
+            is_far: self.view.camera.is_far(),
             moments: &moments,
             is_one_mode: self.is_one_mode,
             note: Some("Phugoid alone, 8 × as large as it is"),
@@ -270,4 +272,21 @@ fn who_looks_without_forces_does_so_after_a_mode_was_flown_too() {
         harness.run();
         assert_eq!(harness.state().view.overlays, overlays);
     }
+}
+
+#[test]
+fn the_whole_path_can_be_brought_into_the_picture() {
+    let mut harness = pane(BANKED);
+    harness.get_by_label("Shown on the picture").click();
+    harness.run();
+    harness.get_by_label("See the whole path").click();
+    harness.run();
+    let camera = harness.state().view.camera;
+    // Half of the path has 99 m, the aircraft a radius of 5 to 6 m.
+    assert!((15.0..22.0).contains(&camera.distance) && camera.is_far(), "{camera:?}");
+    assert!(harness.state().view.overlays.path);
+    // And back again.
+    harness.get_by_label("View from the right").click();
+    harness.run();
+    assert!(!harness.state().view.camera.is_far());
 }

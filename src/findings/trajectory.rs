@@ -143,6 +143,19 @@ impl Trajectory<'_> {
         ([0, 1, 2].map(|k| level[k] + exaggeration * strayed[k]), level)
     }
 
+    /// All of where it is going to be and has been, as [`Self::path`].
+    pub fn whole_path(&self, exaggeration: f64) -> Vec<[f64; 3]> {
+        const POINTS: usize = 600;
+        let step = self.end() / POINTS as f64;
+        (0..=POINTS).map(|k| self.position(step * k as f64, exaggeration).0).collect()
+    }
+
+    /// Half of the way from where the path begins to where it ends \[m\].
+    pub fn path_reach(&self, exaggeration: f64) -> f64 {
+        let [start, end] = [0.0, self.end()].map(|t| self.position(t, exaggeration).0);
+        0.5 * (0..3).map(|k| (end[k] - start[k]).powi(2)).sum::<f64>().sqrt()
+    }
+
     /// Where it has been since `seconds` before a time, the oldest first, up to then: north, east, down \[m\].
     pub fn path(&self, time: f64, seconds: f64, exaggeration: f64) -> Vec<[f64; 3]> {
         const POINTS: usize = 60;

@@ -215,8 +215,11 @@ pub struct Camera {
     pub distance: f32,
 }
 
-/// Nearest and farthest distance, over the one at which the aircraft fills the pane; never within the aircraft.
-const ZOOM: (f32, f32) = (0.5, 6.0);
+/// Nearest and farthest distance, over the one at which the aircraft fills the pane; never within the aircraft, and so far that a
+/// wave of the phugoid is seen whole.
+const ZOOM: (f32, f32) = (0.5, 1000.0);
+/// Beyond this distance the aircraft is a dot on its path.
+const FAR: f32 = 10.0;
 /// It looks up no more than this, and down no more than nearly upright \[rad\].
 const LOWEST: f32 = -0.5;
 const STEEPEST: f32 = FRAC_PI_2 - 0.001;
@@ -284,6 +287,11 @@ impl Camera {
         }
         self.azimuth = (self.azimuth + around + PI).rem_euclid(2.0 * PI) - PI;
         self.elevation = (self.elevation + up).clamp(LOWEST, STEEPEST);
+    }
+
+    /// Whether it is so far away that the path is what is to be seen, not the aircraft.
+    pub fn is_far(&self) -> bool {
+        self.distance > FAR
     }
 
     /// Nearer by a factor above 1, farther by one below.

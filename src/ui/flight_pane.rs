@@ -120,7 +120,8 @@ impl FlightPane {
         let own = if exaggeration == 1.0 { pose } else { flown.pose(time, 1.0) };
         let attitude = |[phi, theta, psi]: [f64; 3]| Attitude { phi, theta, psi };
         let Pose { rates, alpha, beta, position, steady_position, .. } = pose;
-        let path = flown.path(time, PATH, exaggeration);
+        let is_far = view.camera.is_far();
+        let path = if is_far { flown.whole_path(exaggeration) } else { flown.path(time, PATH, exaggeration) };
         let moments: Vec<Moment<'_>> = flown
             .moments(time)
             .into_iter()
@@ -171,6 +172,8 @@ impl FlightPane {
                 Forces { lift, weight, thrust, drag, unit, is_drag_known }
             },
             path: &path,
+            path_reach: flown.path_reach(exaggeration),
+            is_far,
             moments: &moments,
             is_one_mode: flown.is_one_mode(),
             note: note.as_deref(),

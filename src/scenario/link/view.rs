@@ -170,8 +170,8 @@ fn camera_text(camera: Camera) -> String {
         Some(view) => view.in_links().to_owned(),
         None => {
             let [azimuth, elevation] =
-                [camera.azimuth, camera.elevation].map(|x| x.to_degrees().round() as i16);
-            format!("{azimuth}.{elevation}.{}", (100.0 * camera.distance).round() as i16)
+                [camera.azimuth, camera.elevation].map(|x| x.to_degrees().round() as i32);
+            format!("{azimuth}.{elevation}.{}", (100.0 * camera.distance).round() as i32)
         }
     }
 }
@@ -180,12 +180,13 @@ fn read_camera(text: &str) -> Option<Camera> {
     if let Some(standard) = StandardView::by_key(text) {
         return Some(standard.camera());
     }
-    let numbers: Vec<i16> = text.split('.').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    let numbers: Vec<i32> = text.split('.').map(|part| part.parse().ok()).collect::<Option<_>>()?;
     let [azimuth, elevation, distance] = numbers[..] else { return None };
-    let fits =
-        (-180..=180).contains(&azimuth) && (-29..=90).contains(&elevation) && (50..=600).contains(&distance);
-    let [azimuth, elevation] = [azimuth, elevation].map(|x| f32::from(x).to_radians());
-    fits.then(|| Camera::new(azimuth, elevation, f32::from(distance) / 100.0))
+    let fits = (-180..=180).contains(&azimuth)
+        && (-29..=90).contains(&elevation)
+        && (50..=100_000).contains(&distance);
+    let [azimuth, elevation] = [azimuth, elevation].map(|x| (x as f32).to_radians());
+    fits.then(|| Camera::new(azimuth, elevation, distance as f32 / 100.0))
 }
 
 /// Outputs of a plane, joined by points.

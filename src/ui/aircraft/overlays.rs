@@ -284,20 +284,24 @@ impl OverlayPainter<'_> {
         let depth = self.lens.seen(&Point::zeros()).z;
         let color = self.palette.path;
         // As wide as a hand's breadth of the wing, but never a hair nor a road.
-        let width = |p: &Point| (0.012 * self.radius() * self.lens.scale_at(p)).clamp(0.6, 3.0);
+        let least = if self.picture.is_far { 2.0 } else { 0.6 };
+        let width = |p: &Point| (0.012 * self.radius() * self.lens.scale_at(p)).clamp(least, 3.0);
         for (k, pair) in points.windows(2).enumerate() {
             let [a, b] = [pair[0], pair[1]];
-            if b.norm() < tail {
+            if b.norm() < tail && !self.picture.is_far {
                 continue;
             }
             let (Some(at_a), Some(at_b)) = (self.lens.project(&a), self.lens.project(&b)) else { continue };
-            if !self.pane.expand(50.0).intersects(Rect::from_two_pos(at_a, at_b))
+            if !self.pane.expand(50.0).intersects(Rect::from_two_pos(at_a, at_b).expand(1.0))
                 || at_a.distance(at_b) < 0.05
             {
                 continue;
             }
             // Fresh at the aircraft, faint where it is old.
-            let age = |k: usize| color.gamma_multiply(0.05 + 0.8 * (k as f32 / count));
+            let age = |k: usize| {
+                let share = if self.picture.is_far { 1.0 } else { k as f32 / count };
+                color.gamma_multiply(0.05 + 0.8 * share)
+            };
             let mesh = if self.lens.seen(&a).z > depth { &mut beyond } else { &mut before };
             stroke(mesh, [at_a, at_b], width(&a), [age(k), age(k + 1)]);
         }

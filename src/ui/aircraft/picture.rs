@@ -39,6 +39,10 @@ pub struct Picture<'a> {
     pub forces: Forces,
     /// Where it has been: north, east, down, the oldest first, up to where it is \[m\].
     pub path: &'a [[f64; 3]],
+    /// Half of the way from where the path of the whole motion begins to where it ends \[m\].
+    pub path_reach: f64,
+    /// Whether the path is all of it, seen from so far that the aircraft is a dot.
+    pub is_far: bool,
     /// Moments to draw.
     pub moments: &'a [Moment<'a>],
     /// Whether it flies in one mode alone: then its moments are what is to be seen.

@@ -32,6 +32,8 @@ const FARTHEST_ASTRAY: f32 = 0.2;
 const NARROW: f32 = 230.0;
 /// Width of a remark in the list of what is shown.
 const REMARK: f32 = 200.0;
+/// Radius of the aircraft seen from so far that it is a dot.
+const DOT: f32 = 3.5;
 /// Side of the polygon of forces.
 const POLYGON: f32 = 84.0;
 
@@ -46,6 +48,8 @@ pub struct AircraftView {
     forces_before: Option<bool>,
     /// What of the forces isn't in the aircraft's source.
     remark: Option<&'static str>,
+    /// Distance at which the whole path is in the pane, over the one at which the aircraft fills it.
+    whole: f32,
 }
 
 impl AircraftView {
@@ -82,6 +86,12 @@ impl AircraftView {
                     ui.label(RichText::new(remark).font(theme::small()).color(Palette::of(ui).weak));
                 }
                 self.forces_chosen |= overlays.forces != forces;
+                if ui.button("See the whole path").clicked() {
+                    overlays.path = true;
+                    *camera = Camera { distance: 1.0, ..StandardView::Side.camera() };
+                    camera.zoom(1.0 / self.whole.max(1.0));
+                    ui.close();
+                }
             });
             menu.accessible_name("Shown on the picture").on_hover_text("What is drawn over the aircraft");
         });
@@ -96,6 +106,7 @@ impl AircraftView {
         let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         steer(ui, &response, &mut view.camera);
         self.remark = picture.forces.remark();
+        self.whole = finite(picture.path_reach) / picture.model.radius();
         // The forces would hide what a mode does; but what a person has chosen stands.
         let before = self.was_one_mode.replace(picture.is_one_mode);
         if before.is_some_and(|before| before != picture.is_one_mode) && !self.forces_chosen {
@@ -181,10 +192,15 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
     let airframe = airframe::kept_airframe(ui, pane, picture, &rotation, &lens, palette);
     painter.add(Shape::mesh(airframe.mesh.clone()));
     painter.add(Shape::mesh(before));
-    easel.draw(overlays);
+    if picture.is_far {
+        // A dot on the path; arrows as small as it is would hide it.
+        painter.circle_filled(lens.on_screen(&lens.seen(&Point::zeros())), DOT, palette.text);
+    } else {
+        easel.draw(overlays);
+    }
 
     let mut taken = Vec::new();
-    if overlays.forces && pane.width() > 4.0 * POLYGON {
+    if overlays.forces && !picture.is_far && pane.width() > 4.0 * POLYGON {
         let corner = pane.left_bottom() + Vec2::new(8.0, -8.0 - POLYGON);
         let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
         painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
@@ -208,8 +224,13 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
 }
 
 /// Where to look, from the aircraft: at the middle of it and its arrows, but towards where steady flight would have
-/// brought it, so that it is seen to stray, though never far.
+/// brought it, so that it is seen to stray, though never far. From far away, at the middle of the path.
 fn target(picture: &Picture<'_>) -> Point {
+    if picture.is_far
+        && let (Some(start), Some(end)) = (picture.path.first(), picture.path.last())
+    {
+        return (picture.seen_from_here(*start) + picture.seen_from_here(*end)) * 0.5;
+    }
     let (low, high) = picture.model.bounds();
     let middle = Point::x() * (0.5 * (low.x + 1.2 * high.x));
     let back = picture.seen_from_here(picture.steady_position);
