@@ -97,7 +97,7 @@ impl Responses {
         rows: Rows,
     ) {
         if view.tab != Tab::Frequency {
-            large_ui(ui, view, findings);
+            large_ui(ui, view, findings, rows);
         }
         if findings.ground().is_some() && matches!(view.tab, Tab::Time | Tab::Phase) {
             note_ui(ui, words::disturbance::BELOW_GROUND);
@@ -120,7 +120,7 @@ impl Responses {
 }
 
 /// Where the motion is no small disturbance any more, and the nonlinear flight, where there is one.
-fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings) {
+fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings, rows: Rows) {
     let length = findings.scenario().aircraft.length_unit;
     let Some(limit) = findings.motion().and_then(|motion| words::small_disturbance::sentence(motion, length))
     else {
@@ -129,13 +129,18 @@ fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings) {
     let is_drawn = matches!(view.tab, Tab::Time | Tab::Phase);
     let next =
         if is_drawn { "the linear curve goes on, faded" } else { "the numbers are of the time before" };
-    ui.horizontal_wrapped(|ui| {
+    let contents = |ui: &mut Ui| {
         note_ui(ui, &format!("{limit}; {next}."));
         if is_drawn && !view.nonlinear && findings.can_fly() {
             let offer = Button::new(RichText::new("Draw the nonlinear flight").font(theme::small()));
             view.nonlinear |= ui.add(offer).clicked();
         }
-    });
+    };
+    match rows {
+        Rows::Dense => ui.horizontal_wrapped(contents),
+        // In a row as high as a button the lines of the sentence would stand far apart.
+        Rows::Touch => ui.vertical(contents),
+    };
 }
 
 /// Why there is no nonlinear flight, or where it ends.
