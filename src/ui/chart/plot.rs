@@ -343,3 +343,24 @@ fn quantities(ui: &Ui, rect: Rect, picture: &PlotContent) {
         left_top.x += width;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::with_faded;
+
+    #[test]
+    fn a_faded_curve_is_shown_whole_unless_it_grows_without_bound() {
+        let full = (-1.0, 1.0);
+        assert_eq!(with_faded(full, full), full);
+        assert_eq!(with_faded(full, (-4.0, 5.0)), (-4.0, 5.0));
+        // Beyond that the part in full colour keeps a sixth of the plot at least, and more the further the rest goes.
+        let mut before = f64::INFINITY;
+        for growth in [12.0, 13.0, 20.0, 100.0, 1e9] {
+            let (low, high) = with_faded(full, (-1.0, growth));
+            assert!(low == -1.0 && (2.0..=11.0).contains(&high) && high <= before, "{growth}: {high}");
+            before = high;
+        }
+        // What doesn't move while it is small has no scale of its own.
+        assert_eq!(with_faded((0.0, 0.0), (0.0, 3.0)), (0.0, 3.0));
+    }
+}
