@@ -12,7 +12,7 @@ use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
 use eigenwing::scenario::view::{
     Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
-use eigenwing::scenario::{Dimension, Page, Parameter, Quantity, Scenario, Source, parameters};
+use eigenwing::scenario::{Dimension, Page, Parameter, Part, Quantity, Scenario, Source, Stage, parameters};
 use eigenwing::words;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -108,6 +108,7 @@ prop_compose! {
         page in any::<Index>(),
         tab in any::<Index>(),
         nonlinear in any::<bool>(),
+        parts in prop::collection::vec(prop::sample::select(Part::VALUES), 0..4),
         rate in prop::sample::select(&Pace::RATES),
         hundredths in 0_u32..30_000,
         playing in any::<bool>(),
@@ -128,6 +129,7 @@ prop_compose! {
         };
         let overlays = if usual_overlays { Overlays::default() } else { overlays };
         let view = View {
+            stage: Stage::with(parts),
             page: Page::Matrix,
             maximised: pane,
             marks: Marks { approximations, levels },
@@ -175,7 +177,12 @@ prop_compose! {
             Scenario { disturbance: scene.disturbance, plane: scene.plane, ..pinned }
         });
         let pages: Vec<Page> = Page::ALL.into_iter().filter(|page| page.is_of(&scene)).collect();
-        let view = View { page: *page.get(&pages), ..view };
+        let mut view = View { page: *page.get(&pages), ..view };
+        // Every other slider, or all.
+        if !view.stage.parts().is_empty() {
+            let sliders = parameters().filter(|p| !p.is_of_disturbance() && p.applies(&scene));
+            view.stage.offered = sliders.map(|p| p.key).step_by(2).collect();
+        }
         (scene, view, pinned)
     }
 }
@@ -205,7 +212,7 @@ proptest! {
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
             .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
-                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category"]).collect();
+                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
@@ -489,6 +496,8 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
             format!("{shape} {levels} {approximations}")
         }
         "pane" => format!("{:?}", opened.view.maximised),
+        "stage" => opened.view.stage.parts().iter().map(|part| part.key()).collect::<Vec<_>>().join("."),
+        "offer" => opened.view.stage.offered.join("."),
         "camera" => {
             let Camera { azimuth, elevation, distance } = flight.camera;
             let standard = StandardView::ALL.into_iter().find(|view| view.camera() == flight.camera);

@@ -226,3 +226,29 @@ fn a_damaged_view_is_told_and_left_as_it_opens() {
     }
     assert_eq!(app(&mut harness).link(), "v=1&ac=navion");
 }
+
+/// A step of a lesson or a slide has on the screen what it is about, and nothing else.
+#[test]
+fn a_stage_has_the_parts_and_the_sliders_that_its_link_names() {
+    for size in [WIDE, Vec2::new(1000.0, 800.0), PHONE] {
+        let mut harness = page(size);
+        let count = |harness: &Page, label: &str| harness.query_all_by_label_contains(label).count();
+        let sliders = |harness: &Page| harness.query_all_by_role(Role::Slider).count();
+        open(&mut harness, "v=1&ac=navion&stage=derivatives.poles&offer=cm_alpha.cm_q");
+        assert_eq!(sliders(&harness), 2, "{size}");
+        assert!(count(&harness, "Pole map, ") > 0, "{size}");
+        assert_eq!(count(&harness, "against time"), 0, "{size}");
+        assert_eq!(count(&harness, "Dynamically "), 0, "{size}");
+        assert_eq!(count(&harness, "Play"), 0, "{size}");
+        // Only what moves: no pole map, no sliders.
+        open(&mut harness, "v=1&ac=navion&stage=response");
+        assert_eq!(sliders(&harness), 0, "{size}");
+        assert_eq!(count(&harness, "Pole map, "), 0, "{size}");
+        assert!(count(&harness, "against time") > 0, "{size}");
+        let link = app(&mut harness).link();
+        assert!(link.contains("&stage=response"), "{link}");
+        // The workbench is the stage with everything on.
+        open(&mut harness, "v=1&ac=navion");
+        assert!(count(&harness, "Pole map, ") > 0 && count(&harness, "against time") > 0, "{size}");
+    }
+}

@@ -6,6 +6,7 @@ mod experiment;
 pub mod link;
 pub mod parameters;
 mod quantity;
+pub mod stage;
 pub mod view;
 
 use std::sync::Arc;
@@ -20,6 +21,7 @@ pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use parameters::{Page, Parameter, ValueError, parameters};
 pub use quantity::Quantity;
+pub use stage::{Part, Stage};
 pub use view::View;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.

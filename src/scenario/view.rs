@@ -5,7 +5,7 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use super::{Page, Scenario};
+use super::{Page, Scenario, Stage};
 use crate::flight::aircraft::plane::ByPlane;
 use crate::flight::motion::outputs::Output;
 use crate::key::keys;
@@ -13,6 +13,8 @@ use crate::key::keys;
 /// How a person looks at a scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
+    /// What of the page is on.
+    pub stage: Stage,
     /// The page of sliders.
     pub page: Page,
     /// The pane alone beside the sliders.
@@ -31,6 +33,7 @@ impl View {
     /// The page as it opens with a scenario.
     pub fn of(scenario: &Scenario) -> Self {
         Self {
+            stage: Stage::default(),
             page: Page::of(scenario),
             maximised: None,
             marks: Marks::default(),

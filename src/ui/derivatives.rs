@@ -19,7 +19,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
-use crate::scenario::{Page, Parameter, Scenario, parameters};
+use crate::scenario::{Page, Parameter, Scenario, Stage, parameters};
 use crate::words;
 
 const SYMBOL_WIDTH: f32 = 52.0;
@@ -54,6 +54,8 @@ pub struct Chosen<'a> {
     pub page: &'a mut Page,
     /// Only those whose symbol or name has this in it, or what is said of them.
     pub search: &'a mut String,
+    /// Only those that are offered.
+    pub stage: &'a Stage,
     /// Key of a slider that was asked for elsewhere: it is brought into sight and gets the keyboard.
     pub asked: Option<&'static str>,
 }
@@ -68,7 +70,7 @@ pub const SEARCH_KEY: Key = Key::Slash;
 pub fn derivatives_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
-    Chosen { page, search, asked }: Chosen<'_>,
+    Chosen { page, search, stage, asked }: Chosen<'_>,
     rows: Rows,
     (findings, last): (&Findings, &Findings),
 ) -> Option<&'static str> {
@@ -85,7 +87,8 @@ pub fn derivatives_ui(
             }
         });
     });
-    if asked.and_then(Parameter::find).is_some_and(|wanted| !is_listed(wanted, scenario, *page, search)) {
+    let is_hidden = |wanted| !is_listed(wanted, scenario, *page, Filter { search, stage });
+    if asked.and_then(Parameter::find).is_some_and(is_hidden) {
         search.clear();
     }
     search_ui(ui, search);
@@ -98,21 +101,22 @@ pub fn derivatives_ui(
         if rows == Rows::Dense {
             ui.spacing_mut().item_spacing.y = 0.0;
         }
-        let listed = |scenario: &Scenario| parameters().any(|p| is_listed(p, scenario, *page, search));
+        let filter = Filter { search, stage };
+        let listed = |scenario: &Scenario| parameters().any(|p| is_listed(p, scenario, *page, filter));
         if listed(scenario) {
-            touched = groups_ui(ui, scenario, (*page, search), rows, findings, asked);
+            touched = groups_ui(ui, scenario, (*page, filter), rows, findings, asked);
         } else if parameters().any(|p| p.is_shown(scenario, *page)) || !listed(last.scenario()) {
             let text = if search.trim().is_empty() {
                 words::sliders::NONE.to_owned()
             } else {
-                let elsewhere = elsewhere(scenario, *page, search);
+                let elsewhere = elsewhere(scenario, *page, filter);
                 let sentences = [Some(words::sliders::no_match(search.trim())), elsewhere];
                 sentences.into_iter().flatten().collect::<Vec<_>>().join(" ")
             };
             ui.label(RichText::new(text).font(theme::small()));
         } else {
             ui.disable();
-            groups_ui(ui, &mut last.scenario().clone(), (*page, search), rows, last, None);
+            groups_ui(ui, &mut last.scenario().clone(), (*page, filter), rows, last, None);
         }
     });
     touched
@@ -122,14 +126,14 @@ pub fn derivatives_ui(
 fn groups_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
-    (page, search): (Page, &str),
+    (page, filter): (Page, Filter<'_>),
     rows: Rows,
     findings: &Findings,
     asked: Option<&'static str>,
 ) -> Option<&'static str> {
     let mut touched = None;
     for group in Group::DERIVATIVES {
-        let shown = |p: &&Parameter| p.group == group && is_listed(p, scenario, page, search);
+        let shown = |p: &&Parameter| p.group == group && is_listed(p, scenario, page, filter);
         let group_rows: Vec<&'static Parameter> = parameters().filter(shown).collect();
         if group_rows.is_empty() {
             continue;
@@ -180,9 +184,20 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
     });
 }
 
-/// Whether a slider is in the list of a page with a search.
-pub fn is_listed(parameter: &Parameter, scenario: &Scenario, page: Page, search: &str) -> bool {
-    parameter.is_shown(scenario, page) && is_wanted(parameter, &search.trim().to_lowercase())
+/// Of the sliders of a page, those that are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Filter<'a> {
+    /// Text that a slider has in its symbol, its name or what is said of it.
+    pub search: &'a str,
+    /// The stage, which may offer a few only.
+    pub stage: &'a Stage,
+}
+
+/// Whether a slider is in the list of a page.
+pub fn is_listed(parameter: &Parameter, scenario: &Scenario, page: Page, filter: Filter<'_>) -> bool {
+    parameter.is_shown(scenario, page)
+        && filter.stage.offers(parameter.key)
+        && is_wanted(parameter, &filter.search.trim().to_lowercase())
 }
 
 /// A search of fewer letters is for symbols and names only: it would be found in nearly every sentence.
@@ -228,13 +243,13 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
 }
 
 /// Where else the search would find something: the page and the plane of the first slider that it finds.
-fn elsewhere(scenario: &Scenario, page: Page, search: &str) -> Option<String> {
+fn elsewhere(scenario: &Scenario, page: Page, filter: Filter<'_>) -> Option<String> {
     let other = match scenario.plane {
         Plane::Longitudinal => Plane::Lateral,
         Plane::Lateral => Plane::Longitudinal,
     };
     let turned = Scenario { plane: other, ..scenario.clone() };
-    let first = |scenario: &Scenario, page: Page| parameters().find(|p| is_listed(p, scenario, page, search));
+    let first = |scenario: &Scenario, page: Page| parameters().find(|p| is_listed(p, scenario, page, filter));
     let on_page = |page: Page| first(scenario, page).map(|p| (p, words::sliders::page(page)));
     let in_plane = |page: Page| first(&turned, page).map(|p| (p, words::view::plane(other)));
     let found = in_plane(page)

@@ -6,7 +6,7 @@
 use super::super::view::{
     Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
-use super::super::{Page, Scenario};
+use super::super::{Page, Parameter, Part, Scenario, Stage, parameters};
 use super::notice::Notice;
 use super::pieces::Pieces;
 use super::words;
@@ -29,7 +29,7 @@ impl View {
 
     /// All pieces, in their order.
     fn pieces(&self) -> Vec<(String, String)> {
-        let Self { page, maximised, marks, details, response, flight } = self;
+        let Self { stage, page, maximised, marks, details, response, flight } = self;
         let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
         let mut pieces: Vec<(String, String)> = [
             ("page", Some(page.in_links())),
@@ -48,7 +48,10 @@ impl View {
             of_plane("phase", portraits.as_flattened());
             of_plane("frequency_of", &[response.frequency_of[plane]]);
         }
+        let parts: Vec<&str> = stage.parts().iter().map(|part| part.in_links()).collect();
         for (key, value) in [
+            ("stage", parts.join(".")),
+            ("offer", stage.offered.join(".")),
             ("split", word(words::word_of(&words::SPLITS, response.split))),
             ("marks", listed(&words::MARKS, marks.flags())),
             ("details", listed(&words::DETAILS, details.flags())),
@@ -68,6 +71,8 @@ impl View {
     /// Takes its pieces out of a link.
     pub(super) fn read(pieces: &mut Pieces, scenario: &Scenario) -> Self {
         let mut view = Self::of(scenario);
+        view.stage = Stage::with(pieces.take_as("stage", parts).unwrap_or_default());
+        view.stage.offered = pieces.take_as("offer", |text| offered(scenario, text)).unwrap_or_default();
         view.response.read(pieces);
         if let Some([approximations, levels]) = pieces.take_as("marks", |text| flags(&words::MARKS, text)) {
             view.marks = Marks { approximations, levels };
@@ -192,6 +197,21 @@ fn read_camera(text: &str) -> Option<Camera> {
 /// Outputs of a plane, joined by points.
 fn outputs(plane: Plane, text: &str) -> Option<Vec<Output>> {
     text.split('.').map(|key| Output::by_key(key).filter(|output| output.plane() == plane)).collect()
+}
+
+/// Parts of the page, joined by points; at least one.
+fn parts(text: &str) -> Option<Vec<Part>> {
+    text.split('.').map(Part::by_key).collect()
+}
+
+/// Keys of the aircraft's parameters, joined by points, in the order of the table.
+fn offered(scenario: &Scenario, text: &str) -> Option<Vec<&'static str>> {
+    let named: Vec<&Parameter> = text.split('.').map(Parameter::find).collect::<Option<_>>()?;
+    let is_slider = |p: &Parameter| !p.is_of_disturbance() && p.applies(scenario);
+    if !named.iter().all(|p| is_slider(p)) {
+        return None;
+    }
+    Some(parameters().map(|p| p.key).filter(|key| named.iter().any(|p| p.key == *key)).collect())
 }
 
 /// The words of what is on, joined by points.

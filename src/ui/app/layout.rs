@@ -6,6 +6,7 @@ use egui::{
 
 use super::{Action, App, PhonePane};
 use crate::scenario::view::Pane;
+use crate::scenario::{Part, Stage};
 use crate::ui::derivatives::Rows;
 use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
@@ -39,7 +40,7 @@ impl App {
     pub(super) fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
         let palette = Palette::of(ui);
         let mut action = None;
-        if wide {
+        if wide && self.view.stage.has(Part::Modes) {
             action = Panel::right("modes")
                 .exact_size(286.0)
                 .resizable(false)
@@ -64,20 +65,19 @@ impl App {
                 return None;
             }
             if wide {
-                let room = ui.available_rect_before_wrap();
-                let (above, response) = room.split_top_bottom_at_y(room.top() + 0.47 * room.height());
-                let (poles, aircraft) = above.split_left_right_at_fraction(0.56);
-                let gap = 0.5 * PANE_GAP;
-                self.pane_ui(ui, Pane::Poles, inset(poles, [0.0, gap, 0.0, gap]));
-                self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, gap]));
-                self.pane_ui(ui, Pane::Response, inset(response, [0.0, 0.0, gap, 0.0]));
+                for (pane, place) in places(&self.view.stage, ui.available_rect_before_wrap()) {
+                    self.pane_ui(ui, pane, place);
+                }
+                self.go_on_unseen(ui);
                 return None;
             }
             let area = ScrollArea::vertical().auto_shrink(false);
             finger::scroll_area_ui(ui, "middle", area, |ui| {
-                let action = self.verdicts_ui(ui);
+                let with_modes = self.view.stage.has(Part::Modes);
+                let action = if with_modes { self.verdicts_ui(ui) } else { None };
                 let width = ui.available_width();
-                let beside = width >= BESIDE;
+                let stage = &self.view.stage;
+                let beside = width >= BESIDE && stage.has(Part::Poles) && stage.has(Part::Aircraft);
                 if beside {
                     let (_, above) = ui.allocate_space(Vec2::new(width, 330.0));
                     let (poles, aircraft) = above.split_left_right_at_fraction(0.5);
@@ -91,18 +91,34 @@ impl App {
                     &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
                 };
                 for &(pane, height) in below {
+                    if !self.view.stage.has(pane.part()) {
+                        continue;
+                    }
                     let (_, room) = ui.allocate_space(Vec2::new(width, height));
                     self.pane_ui(ui, pane, room);
                 }
-                let count = if beside { 2 } else { 1 };
-                ui.columns(count, |columns| {
-                    self.cards_ui(|i| i % count, columns);
-                });
-                self.strongest_ui(ui);
+                if with_modes {
+                    let count = if width >= BESIDE { 2 } else { 1 };
+                    ui.columns(count, |columns| {
+                        self.cards_ui(|i| i % count, columns);
+                    });
+                    self.strongest_ui(ui);
+                }
+                self.go_on_unseen(ui);
                 action
             })
         };
         CentralPanel::default().frame(ground).show(ui, middle).inner.or(action)
+    }
+
+    /// What goes on in a pane that is not on the stage.
+    fn go_on_unseen(&mut self, ui: &Ui) {
+        if !self.view.stage.has(Part::Response) {
+            self.panes.responses.leave();
+        }
+        if !self.view.stage.has(Part::Aircraft) {
+            self.play(ui);
+        }
     }
 
     /// The pole map stays on top; one of the other panes is below it.
@@ -111,18 +127,30 @@ impl App {
         let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
         // A finger going up or down on the map scrolls what is below, as if the map were a part of it.
         let below = finger::last_background(ui);
-        Panel::top("poles").exact_size(276.0).resizable(false).frame(ground).show(ui, |ui| {
-            ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
-            finger::scrolls_ui(ui, below, |ui| self.poles_ui(ui));
-        });
+        if self.view.stage.has(Part::Poles) {
+            Panel::top("poles").exact_size(276.0).resizable(false).frame(ground).show(ui, |ui| {
+                ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
+                finger::scrolls_ui(ui, below, |ui| self.poles_ui(ui));
+            });
+        }
+        let panes = [
+            (PhonePane::Derivatives, Part::Derivatives, "Derivatives"),
+            (PhonePane::Modes, Part::Modes, "Modes"),
+            (PhonePane::Response, Part::Response, "Response"),
+            (PhonePane::Aircraft, Part::Aircraft, "Aircraft"),
+        ];
+        let staged = panes.iter().filter(|(_, part, _)| self.view.stage.has(*part));
+        let staged: Vec<(PhonePane, &str)> = staged.map(|&(pane, _, text)| (pane, text)).collect();
+        let Some(&(first, _)) = staged.first() else {
+            self.go_on_unseen(ui);
+            return None;
+        };
+        if !staged.iter().any(|(pane, _)| *pane == self.panes.phone_pane) {
+            self.panes.phone_pane = first;
+        }
         Panel::top("panes").frame(ground).show(ui, |ui| {
             ui.horizontal(|ui| {
-                for (pane, text) in [
-                    (PhonePane::Derivatives, "Derivatives"),
-                    (PhonePane::Modes, "Modes"),
-                    (PhonePane::Response, "Response"),
-                    (PhonePane::Aircraft, "Aircraft"),
-                ] {
+                for &(pane, text) in &staged {
                     ui.selectable_value(&mut self.panes.phone_pane, pane, text);
                 }
             });
@@ -213,6 +241,45 @@ impl App {
             self.view.maximised = (!maximised).then_some(pane);
         }
     }
+}
+
+impl Pane {
+    /// The part of the stage that it is.
+    const fn part(self) -> Part {
+        match self {
+            Self::Poles => Part::Poles,
+            Self::Aircraft => Part::Aircraft,
+            Self::Response => Part::Response,
+        }
+    }
+}
+
+/// Where the panes of a stage stand on a wide screen: poles and aircraft beside each other, the responses below.
+fn places(stage: &Stage, room: Rect) -> Vec<(Pane, Rect)> {
+    let above: Vec<Pane> =
+        [Pane::Poles, Pane::Aircraft].into_iter().filter(|pane| stage.has(pane.part())).collect();
+    let (upper, lower) = match (above.is_empty(), stage.has(Part::Response)) {
+        (_, false) => (room, None),
+        (true, true) => (room, Some(room)),
+        (false, true) => {
+            let (upper, lower) = room.split_top_bottom_at_y(room.top() + 0.47 * room.height());
+            let gap = 0.5 * PANE_GAP;
+            (inset(upper, [0.0, 0.0, 0.0, gap]), Some(inset(lower, [0.0, 0.0, gap, 0.0])))
+        }
+    };
+    let mut places = Vec::new();
+    if let &[left, right] = above.as_slice() {
+        let (poles, aircraft) = upper.split_left_right_at_fraction(0.56);
+        let gap = 0.5 * PANE_GAP;
+        places.extend([
+            (left, inset(poles, [0.0, gap, 0.0, 0.0])),
+            (right, inset(aircraft, [gap, 0.0, 0.0, 0.0])),
+        ]);
+    } else {
+        places.extend(above.into_iter().map(|pane| (pane, upper)));
+    }
+    places.extend(lower.map(|place| (Pane::Response, place)));
+    places
 }
 
 /// The frame of what stands on the left and right.

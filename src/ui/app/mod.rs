@@ -20,7 +20,7 @@ use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::modes::mode_name::ModeName;
-use crate::scenario::{Choice, Scenario, Source, View, link};
+use crate::scenario::{Choice, Part, Scenario, Source, View, link};
 use crate::ui::flight_pane::FlightPane;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
@@ -206,7 +206,7 @@ impl App {
         let by_bar = self.top_bar_ui(ui, width);
         self.share.notices_ui(ui);
         self.refresh();
-        if !phone {
+        if !phone && self.view.stage.has(Part::Derivatives) {
             self.sliders_ui(ui, wide);
             // Everything else is drawn as the sliders are now.
             self.refresh();

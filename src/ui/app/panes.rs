@@ -8,7 +8,7 @@ use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::{Page, Parameter, Source, View, parameters};
-use crate::ui::derivatives::{Chosen, Rows, derivatives_ui, is_listed};
+use crate::ui::derivatives::{Chosen, Filter, Rows, derivatives_ui, is_listed};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::overall_level::overall_level_ui;
 use crate::ui::poles::PoleMapContent;
@@ -23,11 +23,13 @@ impl App {
         let (last, _) = self.shown();
         self.panes.touched = {
             let Panes { search, asked, .. } = &mut self.panes;
-            let chosen = Chosen { page: &mut self.view.page, search, asked: asked.take() };
+            let View { page, stage, .. } = &mut self.view;
+            let chosen = Chosen { page, search, stage, asked: asked.take() };
             derivatives_ui(ui, &mut self.scenario, chosen, rows, (&self.findings, &last))
         };
         self.panes.explained = self.panes.touched.unwrap_or(self.panes.explained);
-        let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, &self.panes.search);
+        let filter = Filter { search: &self.panes.search, stage: &self.view.stage };
+        let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, filter);
         if Parameter::find(self.panes.explained).filter(listed).is_none() {
             let first = parameters().find(listed);
             self.panes.explained = first.map_or("", |p| p.key);
