@@ -36,6 +36,16 @@ fn hyphenated(text: &str) -> String {
     words.map(str::to_lowercase).collect::<Vec<_>>().join("-")
 }
 
+/// The name most like a misspelt one, if any is like it.
+pub(crate) fn nearest<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<String> {
+    let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), other);
+    names
+        .map(|other| (likeness(other), other))
+        .filter(|(likeness, _)| *likeness > 0.75)
+        .max_by(|x, y| x.0.total_cmp(&y.0))
+        .map(|(_, other)| other.to_owned())
+}
+
 /// Gives an enum its keys: `Variant => "key"`, or `"key" | "other spelling"`, a line for every variant in the order of the list.
 macro_rules! keys {
     ($type:ty { $($variant:ident => $key:literal $(| $alias:literal)*,)+ }) => {

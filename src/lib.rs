@@ -22,6 +22,7 @@
 //! | [`scenario`] | what is being studied and how it is looked at, the one table of adjustable quantities, and the scene as a link | egui, web |
 //! | [`findings`] | everything that follows from a scenario, each result found once | egui, web |
 //! | [`words`] | sentences for what follows | egui, files |
+//! | [`lesson`] | lessons: steps that ask before they show, goals on measures, and the check of a lesson | egui, files |
 //! | [`export`] | what other programs ask and read, as JSON | egui |
 //! | `ui` (feature `ui`) | one file for each thing on screen | how anything is computed |
 //! | `web` (in a browser), `main.rs` (feature `app`) | a canvas, a window | how anything is computed or drawn |
@@ -53,6 +54,7 @@ pub mod export;
 pub mod findings;
 pub mod flight;
 pub mod key;
+pub mod lesson;
 pub mod number;
 pub mod scenario;
 pub mod shape;

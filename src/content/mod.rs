@@ -6,7 +6,7 @@ mod aircraft_file;
 mod airframe_file;
 mod matrix;
 mod published;
-mod reader;
+pub(crate) mod reader;
 mod shape_file;
 pub mod shapes;
 mod units;

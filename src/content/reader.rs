@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::key::Keyed;
 
-/// A file that could not be read as an aircraft.
+/// A file that could not be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{file}, line {line}: {problem}")]
 pub struct ContentError {
@@ -21,7 +21,7 @@ pub struct ContentError {
 
 /// A table of a file, and which of its keys were asked for.
 #[derive(Debug)]
-pub(super) struct Block<'t> {
+pub(crate) struct Block<'t> {
     file: &'t str,
     text: &'t str,
     /// Dotted name with a dot at its end; empty for the file itself.
@@ -33,7 +33,7 @@ pub(super) struct Block<'t> {
 }
 
 /// Reads `text` and hands its tables to `read`.
-pub(super) fn with_file<T>(
+pub(crate) fn with_file<T>(
     file: &str,
     text: &str,
     read: impl FnOnce(&mut Block<'_>) -> Result<T, ContentError>,
@@ -47,7 +47,8 @@ pub(super) fn with_file<T>(
     read(&mut Block { file, text, path: String::new(), start: 0, table, asked: Vec::new() })
 }
 
-fn line_of(text: &str, offset: usize) -> usize {
+/// The line of a byte, counted from 1.
+pub(crate) fn line_of(text: &str, offset: usize) -> usize {
     text.bytes().take(offset).filter(|&byte| byte == b'\n').count() + 1
 }
 
@@ -160,6 +161,50 @@ impl<'t> Block<'t> {
     /// A text that is not empty.
     pub fn text(&mut self, key: &'t str) -> Result<String, ContentError> {
         self.optional_text(key)?.ok_or_else(|| self.missing(key, "a text in quotes"))
+    }
+
+    /// The line of a key, or of the head of the block where the key is missing.
+    pub fn line(&self, key: &str) -> usize {
+        line_of(self.text, self.entry(key).map_or(self.start, |(start, _)| start))
+    }
+
+    /// A list of texts that are not empty; none where the key is missing.
+    pub fn texts(&mut self, key: &'t str) -> Result<Vec<String>, ContentError> {
+        let expected = "a list of texts in quotes";
+        let Some(value) = self.ask(key) else { return Ok(Vec::new()) };
+        let list = value.as_array().ok_or_else(|| self.wrong(key, expected, value))?;
+        list.iter()
+            .map(|entry| match entry.get_ref().as_str().map(str::trim) {
+                Some(text) if !text.is_empty() => Ok(text.to_owned()),
+                Some(_) => Err(self.error(key, format_args!("expected {expected}, found an empty one"))),
+                None => Err(self.wrong(key, expected, entry.get_ref())),
+            })
+            .collect()
+    }
+
+    /// Yes or no, if the key is there.
+    pub fn optional_flag(&mut self, key: &'t str) -> Result<Option<bool>, ContentError> {
+        let Some(value) = self.ask(key) else { return Ok(None) };
+        value.as_bool().map(Some).ok_or_else(|| self.wrong(key, "true or false", value))
+    }
+
+    /// A number as its text, or a text that is not empty, if the key is there; `expected` says so in words.
+    pub fn optional_number_or_text(
+        &mut self,
+        key: &'t str,
+        expected: &str,
+    ) -> Result<Option<String>, ContentError> {
+        let Some(value) = self.ask(key) else { return Ok(None) };
+        match value {
+            DeValue::String(_) => self.optional_text(key),
+            DeValue::Integer(_) | DeValue::Float(_) => Ok(Some(self.finite(key, value)?.to_string())),
+            other => Err(self.wrong(key, expected, other)),
+        }
+    }
+
+    /// The names of the entries, which are all asked for by this.
+    pub fn names(&self) -> Vec<&'t str> {
+        self.table.keys().map(|key| key.get_ref().as_ref()).collect()
     }
 
     /// The meaning of one word out of a few, if the key is there.

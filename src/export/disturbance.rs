@@ -1,11 +1,11 @@
 //! The disturbance that a request chooses. Its size is a parameter of the table: `elevator`, `gust`, `part` and so on, and `time` for
 //! how long the motion is watched.
 
-use super::subject::{ExportError, nearest};
+use super::subject::ExportError;
 use crate::findings::{Findings, Problem};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode_name::ModeName;
-use crate::key::Keyed;
+use crate::key::{Keyed, nearest};
 use crate::scenario::{Parameter, Scenario, Shape, Source, parameters};
 
 /// Sets plane and disturbance, one of `sources`; `what` they are, in a message. Without a name it stays that of the page.

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::subject::{ExportError, nearest};
+use super::subject::ExportError;
 use crate::findings::Findings;
 use crate::findings::measures::{Measure, Reading};
-use crate::key::Keyed;
+use crate::key::{Keyed, nearest};
 use crate::words;
 
 /// A measure as it reads on an aircraft.

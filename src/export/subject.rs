@@ -10,7 +10,7 @@ use crate::flight::AnalysisError;
 use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::verdicts::task::Task;
-use crate::key::Keyed;
+use crate::key::{Keyed, nearest};
 use crate::number::significant;
 use crate::scenario::{Parameter, Scenario, ValueError, parameters};
 
@@ -242,14 +242,4 @@ pub(super) fn checked(
             }
         }
     })
-}
-
-/// The name most like a misspelt one, if any is like it.
-pub(super) fn nearest<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<String> {
-    let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), other);
-    names
-        .map(|other| (likeness(other), other))
-        .filter(|(likeness, _)| *likeness > 0.75)
-        .max_by(|x, y| x.0.total_cmp(&y.0))
-        .map(|(_, other)| other.to_owned())
 }

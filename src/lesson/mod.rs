@@ -1,0 +1,46 @@
+//! Lessons: one Markdown file a lesson, which asks before it shows. Written as `docs/LESSONS.md` says.
+//!
+//! A step is data: a scene, text whose numbers are measured at that scene, questions, and tasks whose goals are measures.
+//! Reading is total: any text gives a [`Lesson`] or an error with file, line and what was expected.
+//!
+//! | file | in one line |
+//! |---|---|
+//! | `file` | the reader of a lesson |
+//! | `step` | a step and its parts |
+//! | `scene` | a link, and where it stands |
+//! | `text` | running text in blocks and spans |
+//! | `number` | a number in the text, measured at a scene |
+//! | `prediction` | a question, its kinds and the reasons for wrong answers |
+//! | `prediction_file` | the reader of a question |
+//! | `answer` | an answer compared with what the model does |
+//! | `sketch` | what matters of a curve drawn by hand |
+//! | `task` | a goal, what may be used, and its conditions |
+//! | `task_file` | the reader of a task |
+//! | `goal` | conditions judged on a scene, with how near they are |
+//! | `shelf` | the glossary and the references |
+
+mod answer;
+mod file;
+mod goal;
+mod number;
+mod prediction;
+mod prediction_file;
+mod scene;
+mod shelf;
+mod sketch;
+mod step;
+mod task;
+mod task_file;
+mod text;
+
+pub use answer::{Answer, Comparison, Estimated, PlaceCompared};
+pub use file::Lesson;
+pub use goal::{Progress, progress};
+pub use number::Number;
+pub use prediction::{Choice, Item, Kind, Prediction};
+pub use scene::Scene;
+pub use shelf::{Entry, Reference, Shelf};
+pub use sketch::{Direction, End, Features};
+pub use step::{Part, Step};
+pub use task::{Amount, Condition, SolutionAfter, Task, Wanted};
+pub use text::{Span, Target, Text, TextBlock, What};

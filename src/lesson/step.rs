@@ -1,0 +1,62 @@
+//! A step of a lesson: a heading, a scene, and what is read, asked and done there.
+
+use super::prediction::Prediction;
+use super::scene::Scene;
+use super::task::Task;
+use super::text::Text;
+
+/// A step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Its heading.
+    pub title: String,
+    /// Its scene: that of the step before it where it names none.
+    pub scene: Scene,
+    /// What it consists of, in order.
+    pub parts: Vec<Part>,
+    /// Line of the heading, counted from 1.
+    pub line: usize,
+}
+
+/// A part of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Part {
+    /// Running text.
+    Text(Text),
+    /// A question.
+    Prediction(Prediction),
+    /// Text that is shown when every question before it in the step has its answer.
+    Reveal(Text),
+    /// Something to do.
+    Task(Task),
+}
+
+impl Step {
+    /// The questions, in order.
+    pub fn predictions(&self) -> impl Iterator<Item = &Prediction> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Prediction(prediction) => Some(prediction),
+            Part::Text(_) | Part::Reveal(_) | Part::Task(_) => None,
+        })
+    }
+
+    /// The tasks, in order.
+    pub fn tasks(&self) -> impl Iterator<Item = &Task> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Task(task) => Some(task),
+            Part::Text(_) | Part::Reveal(_) | Part::Prediction(_) => None,
+        })
+    }
+
+    /// All of its text: what is read at once, and what is shown later.
+    pub fn texts(&self) -> Vec<&Text> {
+        self.parts
+            .iter()
+            .flat_map(|part| match part {
+                Part::Text(text) | Part::Reveal(text) => vec![text],
+                Part::Prediction(prediction) => prediction.texts(),
+                Part::Task(task) => task.texts(),
+            })
+            .collect()
+    }
+}
