@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use egui::accesskit::{Action, ActionData};
-use egui::{Key, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, emath};
+use egui::{Event, Key, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, emath};
 
 use super::theme::Palette;
 use super::{arrow_keys, finger};
@@ -98,12 +98,26 @@ impl ReferenceSlider<'_> {
         }
         arrow_keys::keep(ui, response);
         ui.input(|input| {
-            let presses = |key| f64::from(input.num_presses(key) as u32);
-            let arrows = presses(Key::ArrowRight) + presses(Key::ArrowUp)
-                - presses(Key::ArrowLeft)
-                - presses(Key::ArrowDown);
+            // Shift as each key came with it: one that was pressed elsewhere on the page is handed on with its own.
             // Page up and down edit nothing: a presenter's clicker sends them.
-            let steps = if input.modifiers.shift { COARSE * arrows } else { arrows };
+            let arrow = |event: &Event| match event {
+                Event::Key { key: Key::ArrowRight | Key::ArrowUp, pressed: true, modifiers, .. } => {
+                    if modifiers.shift {
+                        COARSE
+                    } else {
+                        1.0
+                    }
+                }
+                Event::Key { key: Key::ArrowLeft | Key::ArrowDown, pressed: true, modifiers, .. } => {
+                    if modifiers.shift {
+                        -COARSE
+                    } else {
+                        -1.0
+                    }
+                }
+                _ => 0.0,
+            };
+            let steps = input.events.iter().map(arrow).sum();
             if input.key_pressed(Key::Home) {
                 Some(*self.range.start())
             } else if input.key_pressed(Key::End) {
