@@ -52,11 +52,32 @@
   }
 
   function failToLoad() {
+    if (isShutOff) return failShutOff();
     fail(
       "Eigenwing could not be loaded",
       "A part of the page did not arrive.",
       "Check the connection and reload. If it stays like this, a newer browser may help.",
     );
+  }
+
+  // A frame with `sandbox` and without `allow-same-origin` has no origin: most servers then give it no part of the program, and
+  // not every browser says so.
+  const isShutOff = window.origin === "null" && location.protocol.startsWith("http");
+  const patience = 8000;
+
+  function failShutOff() {
+    fail(
+      "This frame is shut off",
+      "The page that holds this frame gives it no origin of its own, so that the browser keeps the program from it.",
+      "Add allow-same-origin to the sandbox attribute of the frame, or open the page in a tab of its own.",
+    );
+  }
+
+  if (isShutOff) {
+    const before = element("progress-text").textContent;
+    setTimeout(() => {
+      if (!ready && element("progress-text").textContent === before) failShutOff();
+    }, patience);
   }
 
   element("reload").addEventListener("click", () => location.reload());
