@@ -18,8 +18,10 @@
 //! | `task_file` | the reader of a task |
 //! | `goal` | conditions judged on a scene, with how near they are |
 //! | `shelf` | the glossary and the references |
+//! | `check` | the proof that a lesson holds what it promises |
 
 mod answer;
+mod check;
 mod file;
 mod goal;
 mod number;

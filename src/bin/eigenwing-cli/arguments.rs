@@ -97,6 +97,12 @@ pub enum Command {
         #[command(flatten)]
         output: Output,
     },
+    /// Prove lessons: links, goals, solutions, choices, numbers, words; glossary.toml and references.toml stand beside them
+    Check {
+        /// A lesson, FILE.md
+        #[arg(value_name = "FILE", required = true)]
+        files: Vec<PathBuf>,
+    },
     /// The modes along a range of one parameter, and where stability changes
     Sweep {
         #[command(flatten)]

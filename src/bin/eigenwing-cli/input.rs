@@ -18,6 +18,9 @@ pub enum InputError {
     Unreadable { path: PathBuf, error: std::io::Error },
     #[error("{} is not a text: byte {offset} is not UTF-8", .path.display())]
     NotText { path: PathBuf, offset: usize },
+    /// The faults of lessons, one a line.
+    #[error("{0}")]
+    Lessons(String),
     #[error("{}: expected a name that ends in .json, .csv or .m", .0.display())]
     UnknownFormat(PathBuf),
 }
@@ -50,7 +53,8 @@ fn matrices(path: &Path) -> Result<Source, InputError> {
     Ok(Source::Matrices { text: text_of(path)?, file, format })
 }
 
-fn text_of(path: &Path) -> Result<String, InputError> {
+/// The text of a file.
+pub fn text_of(path: &Path) -> Result<String, InputError> {
     let bytes =
         std::fs::read(path).map_err(|error| InputError::Unreadable { path: path.to_owned(), error })?;
     String::from_utf8(bytes).map_err(|error| InputError::NotText {

@@ -11,6 +11,7 @@ mod arguments;
 mod csv_output;
 mod frequency_table;
 mod input;
+mod lesson_check;
 mod response_table;
 mod tables;
 
@@ -114,6 +115,7 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::frequency(&report),
             }
         }
+        Command::Check { files } => lesson_check::check(files)?,
         Command::Sweep { subject, parameter, from, to, points, measures, output } => {
             let request = SweepRequest {
                 parameter: parameter.clone(),
