@@ -273,7 +273,10 @@ fn a_centre_of_gravity_behind_the_neutral_point_is_level_3_while_it_diverges_slo
     // 16 % behind: the root grows and doubles in 14 s
     let slow = at(0.16);
     let overall = slow.overall_level().expect("judged");
-    assert_eq!((overall.level, overall.governing.criterion), (Level::Three, Criterion::AirspeedDivergence));
+    assert_eq!(
+        (overall.level, overall.governing.criterion),
+        (Some(Level::Three), Criterion::AirspeedDivergence)
+    );
     let doubles = value(overall.governing, Quantity::TimeToDouble);
     assert!((10.0..20.0).contains(&doubles), "{doubles}");
     assert_eq!(
@@ -287,10 +290,22 @@ fn a_centre_of_gravity_behind_the_neutral_point_is_level_3_while_it_diverges_slo
     // Further back it doubles faster than that.
     let fast = at(0.30);
     let overall = fast.overall_level().expect("judged");
-    assert_eq!(overall.level, Level::Beyond, "{}", words::verdict::overall(&overall));
+    assert_eq!(overall.level, Some(Level::Beyond), "{}", words::verdict::overall(&overall));
     // As it is, every criterion is met.
     let overall_words = words::verdict::overall(&at(0.0).overall_level().expect("judged"));
     assert_eq!(overall_words, "Level 1 overall, every criterion is met");
+}
+
+/// A Dutch roll that has become another oscillation is judged all the same where it grows: never a good level beside it.
+#[test]
+fn an_oscillation_in_yaw_and_roll_that_grows_is_worse_than_level_3() {
+    let mut scenario = listed("navion");
+    Parameter::find("cn_beta").expect("a row").set(&mut scenario, -0.03);
+    let analysis = scenario.analyse().expect("an analysis");
+    let overall = analysis.overall_level().expect("judged");
+    assert_eq!(overall.level, Some(Level::Beyond));
+    let sentence = words::verdict::sentence(overall.governing);
+    assert!(sentence.ends_with("No level allows an oscillation in yaw and roll to grow."), "{sentence}");
 }
 
 /// 3.2.2.2 (p. 13) names no level: a divergence in pitch meets none.
@@ -300,7 +315,10 @@ fn a_divergence_in_pitch_is_allowed_at_no_level() {
     Parameter::find("cg").expect("a row").set(&mut scenario, 0.3);
     let analysis = scenario.analyse().expect("an analysis");
     let overall = analysis.overall_level().expect("judged");
-    assert_eq!((overall.level, overall.governing.criterion), (Level::Beyond, Criterion::PitchDivergence));
+    assert_eq!(
+        (overall.level, overall.governing.criterion),
+        (Some(Level::Beyond), Criterion::PitchDivergence)
+    );
     assert!(overall.unjudged.is_empty(), "{:?}", overall.unjudged);
 }
 
@@ -359,6 +377,11 @@ fn a_growing_root_is_never_passed_over_in_silence() {
                             plane.levels.iter().any(|v| v.level.is_some() && v.modes.contains(&name));
                         let told = overall.as_ref().is_none_or(|overall| overall.unjudged.contains(&name));
                         assert!(judged || told, "{what}: {name:?}");
+                        let level = overall.as_ref().and_then(|overall| overall.level);
+                        assert!(
+                            judged || level.is_none_or(|level| level == Level::Beyond),
+                            "{what}: {name:?}"
+                        );
                         if !mode.is_oscillatory() && stiff.starts_with("Statically stable") {
                             let named = words::mode::in_a_sentence(name);
                             assert!(stiff.contains(named), "{what}: {stiff}");

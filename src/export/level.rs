@@ -78,11 +78,11 @@ impl LevelReport {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "OverallLevel"))]
 pub struct OverallLevelReport {
-    /// The level in words.
-    pub level: &'static str,
+    /// The level in words; null where something grows that no paragraph judges.
+    pub level: Option<&'static str>,
     /// Key of the level.
-    #[cfg_attr(test, ts(type = "LevelKey"))]
-    pub level_key: &'static str,
+    #[cfg_attr(test, ts(type = "LevelKey | null"))]
+    pub level_key: Option<&'static str>,
     /// Key of the criterion that governs it.
     #[cfg_attr(test, ts(type = "CriterionKey"))]
     pub criterion_key: &'static str,
@@ -104,8 +104,8 @@ impl OverallLevelReport {
     pub fn of(overall: &OverallLevel<'_>) -> Self {
         let task = overall.governing.task;
         Self {
-            level: words::verdict::level(overall.level),
-            level_key: overall.level.key(),
+            level: overall.level.map(words::verdict::level),
+            level_key: overall.level.map(Keyed::key),
             criterion_key: overall.governing.criterion.key(),
             class: task.class.key(),
             category: task.category.key(),

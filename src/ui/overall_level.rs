@@ -5,6 +5,7 @@ use egui::{ComboBox, RichText, Ui};
 use super::mode_cards::tone;
 use super::theme::{self, Palette};
 use crate::flight::Analysis;
+use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::task::Task;
 use crate::key::Keyed;
 use crate::words;
@@ -12,7 +13,7 @@ use crate::words;
 /// Shows the overall level of the aircraft, and lets a person choose the `task` it is judged for.
 pub fn overall_level_ui(ui: &mut Ui, analysis: &Analysis, task: &mut Option<Task>) {
     if let Some(overall) = analysis.overall_level() {
-        let (color, _) = Palette::of(ui).verdict(tone(overall.level));
+        let (color, _) = Palette::of(ui).verdict(overall.level.map_or(Stability::Unstable, tone));
         let text =
             RichText::new(words::verdict::overall(&overall)).font(theme::semibold(theme::sizes(ui).value));
         ui.label(text.color(color)).on_hover_text(words::verdict::sentence(overall.governing));

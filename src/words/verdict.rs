@@ -164,14 +164,13 @@ pub fn sentence(verdict: &Verdict) -> String {
 /// The overall level with the criterion that sets it, and what no paragraph judges.
 pub fn overall(overall: &OverallLevel<'_>) -> String {
     let OverallLevel { level: worst, governing, unjudged } = overall;
-    let because = match worst {
-        Level::One => "every criterion is met".to_owned(),
-        Level::Two | Level::Three | Level::Beyond => {
-            format!("set by {}", criterion_in_a_sentence(governing.criterion))
+    match worst {
+        None => format!("No level overall: {}", not_judged(unjudged)),
+        Some(Level::One) => format!("{} overall, every criterion is met", level(Level::One)),
+        Some(worst) => {
+            format!("{} overall, set by {}", level(*worst), criterion_in_a_sentence(governing.criterion))
         }
-    };
-    let text = format!("{} overall, {because}", level(*worst));
-    if unjudged.is_empty() { text } else { format!("{text}; {}", not_judged(unjudged)) }
+    }
 }
 
 fn not_judged(names: &[ModeName]) -> String {
@@ -217,6 +216,7 @@ const fn remark(remark: Remark) -> Option<&'static str> {
         Remark::PitchDiverges => {
             "No level allows pitch attitude or angle of attack to diverge without oscillation."
         }
+        Remark::OscillationGrows => "No level allows an oscillation in yaw and roll to grow.",
         Remark::Diverges => "It diverges.",
         Remark::RollGrows => "The roll rate doesn’t die away.",
         Remark::NotAllowed => "No coupled oscillation of roll and spiral is allowed in this category.",

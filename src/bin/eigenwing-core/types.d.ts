@@ -369,10 +369,10 @@ export type OutputFigures = {
 
 /** The level of an aircraft as a whole. */
 export type OverallLevel = {
-  /** The level in words. */
-  level: string,
+  /** The level in words; null where something grows that no paragraph judges. */
+  level: string | null,
   /** Key of the level. */
-  level_key: LevelKey,
+  level_key: LevelKey | null,
   /** Key of the criterion that governs it. */
   criterion_key: CriterionKey,
   /** Class of MIL-F-8785C that it is judged for. */

@@ -153,7 +153,8 @@ fn of_aircraft(findings: &Findings, quantity: AircraftQuantity) -> Result<Readin
             number(analysis.margins.map(|margins| margins.manoeuvre_margin), Absence::NoCoefficients)
         }
         AircraftQuantity::Level => {
-            analysis.overall_level().map(|overall| Reading::Level(overall.level)).ok_or(Absence::NotJudged)
+            let level = analysis.overall_level().and_then(|overall| overall.level);
+            level.map(Reading::Level).ok_or(Absence::NotJudged)
         }
         AircraftQuantity::GravityRatio => {
             let ratio = analysis.gravity.map(|gravity| gravity.rate / gravity.expected_rate);

@@ -94,6 +94,8 @@ pub enum Remark {
     AirspeedDiverges,
     /// Pitch attitude and angle of attack that diverge, which no level allows.
     PitchDiverges,
+    /// An oscillation in yaw and roll that grows, which no level allows.
+    OscillationGrows,
     /// A Dutch roll that diverges.
     Diverges,
     /// A roll rate that doesn't die away.
@@ -228,6 +230,14 @@ fn lateral(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
     } else if find(modes, ModeName::DirectionalDivergence).is_some() {
         let verdict = not_allowed(Criterion::DutchRoll, task, Vec::new(), Remark::Diverges);
         verdicts.push(Verdict { modes: vec![ModeName::DirectionalDivergence], ..verdict });
+    }
+    if let Some(mode) =
+        find(modes, ModeName::LateralOscillation).filter(|mode| mode.stability == Stability::Unstable)
+    {
+        // It is no Dutch roll any more, but an oscillation after a disturbance in yaw, and no level lets that grow.
+        let values = mode.damping_ratio().map(|zeta| (Quantity::DampingRatio, zeta)).into_iter().collect();
+        let verdict = not_allowed(Criterion::DutchRoll, task, values, Remark::OscillationGrows);
+        verdicts.push(Verdict { modes: vec![ModeName::LateralOscillation], ..verdict });
     }
     if let Some(mode) = find(modes, ModeName::RollSubsidence).or(find(modes, ModeName::RollDivergence)) {
         let verdict = match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {

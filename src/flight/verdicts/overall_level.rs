@@ -8,11 +8,12 @@ use crate::flight::modes::stability::Stability;
 /// The worst level, and the criterion that governs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverallLevel<'a> {
-    /// The worst level of all criteria.
-    pub level: Level,
+    /// The worst level of all criteria; `None` where something grows that no paragraph here judges, and the rest isn't the worst
+    /// already: then no level can be told.
+    pub level: Option<Level>,
     /// The verdict that has it; of several the first.
     pub governing: &'a Verdict,
-    /// Names of the modes that grow and that no paragraph here judges: the level says nothing of them.
+    /// Names of the modes that grow and that no paragraph here judges.
     pub unjudged: Vec<ModeName>,
 }
 
@@ -35,6 +36,7 @@ pub fn overall_level<'a>(
         let growing = modes.iter().filter(|mode| mode.stability == Stability::Unstable);
         unjudged.extend(growing.map(|mode| mode.naming.name).filter(|name| !is_judged(*name)));
     }
-    let (level, governing) = overall?;
+    let (worst, governing) = overall?;
+    let level = (unjudged.is_empty() || worst == Level::Beyond).then_some(worst);
     Some(OverallLevel { level, governing, unjudged })
 }
