@@ -150,3 +150,10 @@ fn each_broken_promise_has_its_sentence() {
     }
     assert!(others.is_empty(), "{others:#?}");
 }
+
+#[test]
+fn the_example_of_the_documentation_holds() {
+    let documentation = text("docs/LESSONS.md");
+    let example = documentation.split("````").nth(1).expect("an example").strip_prefix("markdown\n");
+    assert_eq!(faults("example.md", example.expect("it is Markdown")), [""; 0]);
+}
