@@ -447,3 +447,14 @@ fn a_motion_that_is_no_longer_small_is_marked_in_a_column_and_beside_the_csv() {
     assert!(first_large > 10 && small[1..first_large].iter().all(|cell| cell == "1"));
     assert!(small[first_large..].iter().all(|cell| cell == "0"));
 }
+
+#[test]
+fn lessons_are_checked_with_the_words_beside_them() {
+    let said = answer(&["check", "../../../assets/lessons/longitudinal.md"]);
+    assert_eq!(said, "../../../assets/lessons/longitudinal.md: holds what it promises\n");
+    // No lesson at all, as front matter tells.
+    let Output { status, stderr, .. } = run(&["check", "../../../README.md"]);
+    assert_eq!(status.code(), Some(1));
+    let expected = "error: ../../../README.md, line 1: expected front matter, which begins with a line +++\n";
+    assert_eq!(String::from_utf8_lossy(&stderr), expected);
+}
