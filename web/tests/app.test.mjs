@@ -116,10 +116,10 @@ test("a finger moves a slider on a phone", async (t) => {
   const { page, ready, state, slider } = await open(t, { viewport: { width: 390, height: 844 }, touch: true });
   await ready();
   const before = await state();
-  const { x, y, width } = await middle(slider("trim lift C_L"));
+  const { x, y, width } = await middle(slider("shift of the centre of gravity Δx_cg/c"));
   await page.touchscreen.tap(x - width / 4, y);
-  const after = await until(state, (now) => now.parameters.cl !== before.parameters.cl, "moved");
-  assert.ok(after.parameters.cl < before.parameters.cl);
+  const after = await until(state, (now) => now.parameters.cg !== before.parameters.cg, "moved");
+  assert.ok(after.parameters.cg < before.parameters.cg);
 });
 
 test("a screen reader finds every slider by name, sets one, and hears the verdict and the modes", async (t) => {
@@ -209,7 +209,7 @@ test("every aircraft of the list can be opened, in both planes where it has both
   const { page, ready, state, seen } = await open(t);
   await ready();
   const [keys, lateral] = [new Set(), new Set()];
-  await page.getByRole("combobox", { name: "Aircraft" }).dispatchEvent("click");
+  await page.getByRole("combobox", { name: "Aircraft", exact: true }).dispatchEvent("click");
   await page.getByRole("option").first().waitFor({ state: "attached" });
   const names = await page.getByRole("option").allInnerTexts();
   await page.getByRole("option").first().dispatchEvent("click");

@@ -240,16 +240,16 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
     await counts(something, 1, pane);
   }
   const before = await state();
-  const { x, y, width } = await middle(page.getByRole("slider", { name: "trim lift C_L", exact: true }));
+  const { x, y, width } = await middle(page.getByRole("slider", { name: "shift of the centre of gravity Δx_cg/c", exact: true }));
   const devtools = await page.context().newCDPSession(page);
   const finger = (type, points) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await finger("touchStart", [{ x, y }]);
   for (let i = 1; i <= 6; i += 1) {
-    await finger("touchMove", [{ x: x + (i * width) / 24, y: y + i }]);
+    await finger("touchMove", [{ x: x - (i * width) / 24, y: y + i }]);
     await sleep(30);
   }
   await finger("touchEnd", []);
-  const after = await until(state, (now) => now.parameters.cl > before.parameters.cl, "drawn along");
+  const after = await until(state, (now) => now.parameters.cg < before.parameters.cg, "drawn along");
   await sleep(300);
   assert.deepEqual((await state()).parameters, after.parameters, "it stays where the finger left it");
 
@@ -266,7 +266,7 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
   };
   const map = await page.getByRole("img", { name: /^Pole map, All modes/ }).boundingBox();
   const pole = () => middle(page.getByRole("button", { name: /^Short period pole, / }));
-  const row = () => middle(page.getByRole("slider", { name: "pitching moment due to Mach number C_mM", exact: true }));
+  const row = () => middle(page.getByRole("slider", { name: "airspeed V", exact: true }));
   const [poleBefore, rowBefore] = [await pole(), await row()];
   await swipe([{ x: map.x + 14, y: map.y + 24 }], 3, -60);
   await until(row, (now) => now.y < rowBefore.y - 30, "up on the map scrolls the sliders below it");

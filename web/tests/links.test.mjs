@@ -103,7 +103,7 @@ test("a damaged link opens what it can and says what it left out, in the page an
 });
 
 test("button and key copy the whole address and say so; typing the letter into a field doesn’t", async (t) => {
-  const { page, ready, url, seen } = await open(t, { fragment: "#v=1&ac=navion&speed=60" });
+  const { page, ready, url, seen } = await open(t, { fragment: "#v=1&ac=navion&cn_beta=0.09" });
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await ready();
   const clipboard = () => page.evaluate(() => navigator.clipboard.readText());

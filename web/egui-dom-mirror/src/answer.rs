@@ -38,15 +38,17 @@ pub enum Answer {
     Ask(Action, Option<ActionData>),
 }
 
-/// What follows when this happens to an element of this kind; `focusable` is whether egui can focus its widget.
-pub fn answer(kind: Kind, focusable: bool, happened: Happened<'_>) -> Answer {
+/// What follows when this happens to an element of this kind; `focusable` is whether egui can focus its widget, `with_shift`
+/// whether the Shift key is down.
+pub fn answer(kind: Kind, focusable: bool, with_shift: bool, happened: Happened<'_>) -> Answer {
     match (happened, kind) {
         (Happened::KeyDown(key) | Happened::KeyUp(key), _) if !kind.uses_key(key) => Answer::Key,
         (Happened::FocusOut, _) => Answer::Done,
         (Happened::Change | Happened::KeyDown("Enter"), kind) if kind.is_typed() => Answer::Done,
         (Happened::FocusIn, _) if focusable => Answer::Ask(Action::Focus, None),
         (Happened::Click, kind) if kind.is_pressed() => Answer::Ask(Action::Click, None),
-        // The widget knows its steps; the browser would take a hundredth of the range.
+        // The widget knows its steps, and what they are with Shift; the browser would take a hundredth of the range.
+        (Happened::KeyDown(key), Kind::Slider) if key.starts_with("Arrow") && with_shift => Answer::Key,
         (Happened::KeyDown("ArrowRight" | "ArrowUp"), Kind::Slider) => Answer::Ask(Action::Increment, None),
         (Happened::KeyDown("ArrowLeft" | "ArrowDown"), Kind::Slider) => Answer::Ask(Action::Decrement, None),
         (Happened::Input(text), Kind::Slider | Kind::SpinButton) => match number(text) {
@@ -76,10 +78,14 @@ mod tests {
     #[test]
     fn a_number_is_read_with_its_unit_and_a_true_minus() {
         for (typed, value) in [("60", 60.0), ("−0.68", -0.68), (" 42.5 kg", 42.5), ("1e-3", 1e-3)] {
-            assert_eq!(answer(Kind::SpinButton, true, Happened::Input(typed)), set(value), "{typed}");
+            assert_eq!(answer(Kind::SpinButton, true, false, Happened::Input(typed)), set(value), "{typed}");
         }
         for typed in ["", "−", "kg", "1,5"] {
-            assert_eq!(answer(Kind::SpinButton, true, Happened::Input(typed)), Answer::Typing, "{typed}");
+            assert_eq!(
+                answer(Kind::SpinButton, true, false, Happened::Input(typed)),
+                Answer::Typing,
+                "{typed}"
+            );
         }
     }
 
@@ -91,53 +97,56 @@ mod tests {
             ("ArrowLeft", Action::Decrement),
             ("ArrowDown", Action::Decrement),
         ] {
-            let asked = answer(Kind::Slider, true, Happened::KeyDown(key));
+            let asked = answer(Kind::Slider, true, false, Happened::KeyDown(key));
             assert_eq!(asked, Answer::Ask(action, None), "{key}");
-            assert_eq!(answer(Kind::Slider, true, Happened::KeyUp(key)), Answer::Nothing, "{key}");
+            assert_eq!(answer(Kind::Slider, true, false, Happened::KeyUp(key)), Answer::Nothing, "{key}");
         }
+        // A longer step is the widget's own.
+        let asked = answer(Kind::Slider, true, true, Happened::KeyDown("ArrowRight"));
+        assert_eq!(asked, Answer::Key);
         // The browser's own step, which it tells of as an input.
-        assert_eq!(answer(Kind::Slider, true, Happened::KeyDown("Home")), Answer::Nothing);
-        assert_eq!(answer(Kind::Slider, true, Happened::Input("20")), set(20.0));
+        assert_eq!(answer(Kind::Slider, true, false, Happened::KeyDown("Home")), Answer::Nothing);
+        assert_eq!(answer(Kind::Slider, true, false, Happened::Input("20")), set(20.0));
     }
 
     #[test]
     fn a_key_without_a_use_here_is_the_canvas_s() {
         for (kind, key) in [(Kind::Text, "Tab"), (Kind::Slider, "z"), (Kind::Button, "ArrowLeft")] {
-            assert_eq!(answer(kind, true, Happened::KeyDown(key)), Answer::Key, "{kind:?} {key}");
-            assert_eq!(answer(kind, true, Happened::KeyUp(key)), Answer::Key, "{kind:?} {key}");
+            assert_eq!(answer(kind, true, false, Happened::KeyDown(key)), Answer::Key, "{kind:?} {key}");
+            assert_eq!(answer(kind, true, false, Happened::KeyUp(key)), Answer::Key, "{kind:?} {key}");
         }
-        assert_eq!(answer(Kind::Text, true, Happened::KeyDown("z")), Answer::Nothing);
+        assert_eq!(answer(Kind::Text, true, false, Happened::KeyDown("z")), Answer::Nothing);
     }
 
     #[test]
     fn what_was_typed_counts_from_enter_and_from_when_the_field_is_left() {
         for happened in [Happened::KeyDown("Enter"), Happened::Change, Happened::FocusOut] {
-            assert_eq!(answer(Kind::SpinButton, true, happened), Answer::Done, "{happened:?}");
+            assert_eq!(answer(Kind::SpinButton, true, false, happened), Answer::Done, "{happened:?}");
         }
-        assert_eq!(answer(Kind::CheckBox, true, Happened::Change), Answer::Nothing);
+        assert_eq!(answer(Kind::CheckBox, true, false, Happened::Change), Answer::Nothing);
     }
 
     #[test]
     fn a_click_presses_what_can_be_pressed_and_nothing_else() {
         for kind in [Kind::Button, Kind::CheckBox, Kind::ComboBox, Kind::Item("option")] {
-            let asked = answer(kind, true, Happened::Click);
+            let asked = answer(kind, true, false, Happened::Click);
             assert_eq!(asked, Answer::Ask(Action::Click, None), "{kind:?}");
         }
         for kind in [Kind::Slider, Kind::Words, Kind::Holder("region")] {
-            assert_eq!(answer(kind, true, Happened::Click), Answer::Nothing, "{kind:?}");
+            assert_eq!(answer(kind, true, false, Happened::Click), Answer::Nothing, "{kind:?}");
         }
     }
 
     #[test]
     fn egui_focuses_what_it_can_focus() {
-        let focus = |focusable| answer(Kind::Button, focusable, Happened::FocusIn);
+        let focus = |focusable| answer(Kind::Button, focusable, false, Happened::FocusIn);
         assert_eq!(focus(true), Answer::Ask(Action::Focus, None));
         assert_eq!(focus(false), Answer::Nothing);
     }
 
     #[test]
     fn text_is_handed_over_as_it_stands() {
-        let asked = answer(Kind::Text, true, Happened::Input("B − 747"));
+        let asked = answer(Kind::Text, true, false, Happened::Input("B − 747"));
         assert_eq!(asked, Answer::Ask(Action::SetValue, Some(ActionData::Value("B − 747".into()))));
     }
 }

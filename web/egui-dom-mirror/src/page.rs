@@ -303,7 +303,8 @@ impl Page {
             "focusout" => Happened::FocusOut,
             _ => return,
         };
-        match answer(kind, focusable, happened) {
+        let with_shift = key.is_some_and(KeyboardEvent::shift_key);
+        match answer(kind, focusable, with_shift, happened) {
             Answer::Nothing => return,
             Answer::Typing => return shown.begin_typing(),
             Answer::Done => {
