@@ -83,6 +83,12 @@ fn each_broken_promise_has_its_sentence() {
             "ac=navion&cm_alfa=1\"",
             "good.md, line 7: the link doesn’t open as it says: “cm_alfa” means nothing to this version and was left out.",
         ),
+        (
+            "link = \"#v=1&ac=navion\"",
+            "link = \"#v=1&ac=lesson\"",
+            "good.md, line 23: the aircraft of this scene has no cm_alpha, which is offered\n\
+             good.md, line 26: the solution is of another aircraft than the start",
+        ),
         ("1.5 × start", "start", "good.md, line 23: the goal is met before anything is done"),
         (
             "cm_alpha=-2",

@@ -189,6 +189,10 @@ impl Check<'_> {
                 self.open(scene);
             }
         }
+        for parameter in task.offer.iter().filter(|parameter| !parameter.applies(start.scenario())) {
+            let problem = format!("the aircraft of this scene has no {}, which is offered", parameter.key);
+            self.error(task.line, problem);
+        }
         if task.is_met(start, start, self.aircraft) {
             self.error(task.line, "the goal is met before anything is done");
         }
@@ -199,6 +203,7 @@ impl Check<'_> {
         let Some(solved) = self.open(scene) else { return };
         if solved.scenario().aircraft.key != start.scenario().aircraft.key {
             self.error(scene.line, "the solution is of another aircraft than the start");
+            return;
         }
         let moved = changes(start.scenario(), solved.scenario());
         if let Some(most) = task.changes.filter(|most| moved.len() > *most) {
