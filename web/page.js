@@ -80,6 +80,18 @@
     }, patience);
   }
 
+  // In a frame the keyboard stays where it is until a person comes here: the program asks for it as it starts, and would take it
+  // from a field that is being typed in.
+  if (window.parent !== window) {
+    const { focus } = HTMLElement.prototype;
+    let isUsed = false;
+    const use = () => (isUsed = true);
+    for (const event of ["pointerdown", "keydown"]) window.addEventListener(event, use, { capture: true });
+    HTMLElement.prototype.focus = function (...rest) {
+      if (isUsed || document.hasFocus()) focus.apply(this, rest);
+    };
+  }
+
   element("reload").addEventListener("click", () => location.reload());
 
   window.addEventListener("eigenwing-ready", () => {

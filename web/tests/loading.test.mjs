@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { setTimeout as sleep } from "node:timers/promises";
 import { open } from "./page.mjs";
 
 test("the page becomes ready, without a complaint and without asking any other host", async (t) => {
@@ -108,4 +109,31 @@ test("the content security policy lets nothing else in or out", async (t) => {
     return { intruded: window.intruded ?? false, fetched };
   });
   assert.deepEqual(outcome, { intruded: false, fetched: "refused" });
+});
+
+// A page of a course with a field for an answer, and the program in a frame below it.
+async function hosted(t, attributes = "") {
+  const { page, url } = await open(t);
+  const host = await page.context().newPage();
+  await host.setContent(
+    `<input id="answer" autofocus><iframe id="frame" width="900" height="600" ${attributes} src="${url}"></iframe>`,
+  );
+  return { host, frame: host.frameLocator("#frame") };
+}
+
+test("in a frame the page takes the keyboard only once it is used", async (t) => {
+  const { host, frame } = await hosted(t);
+  await frame.locator("#welcome").waitFor({ state: "hidden" });
+  await sleep(500);
+  const active = () => host.evaluate(() => document.activeElement.id);
+  assert.equal(await active(), "answer");
+  await host.keyboard.type("42");
+  assert.equal(await host.locator("#answer").inputValue(), "42");
+  await frame.locator("#eigenwing").click({ position: { x: 450, y: 20 } });
+  assert.equal(await active(), "frame");
+});
+
+test("in a frame without an origin the page says why it can’t start", async (t) => {
+  const { frame } = await hosted(t, 'sandbox="allow-scripts"');
+  await frame.getByText("This frame is shut off").waitFor();
 });
