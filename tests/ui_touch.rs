@@ -318,3 +318,19 @@ fn every_line_of_the_list_of_aircraft_is_whole_on_a_phone() {
         assert!(line.left() >= 0.0 && line.right() <= PHONE.x - 8.0, "{line}");
     }
 }
+
+/// Wherever on its rail the finger begins: a slider that is not at its middle would show at once that it was set.
+#[test]
+fn a_finger_going_down_on_any_slider_sets_nothing() {
+    let mut page = page(PHONE);
+    for (name, key) in
+        [("airspeed V", "speed"), ("mass m/m_0", "mass"), ("shift of the centre of gravity Δx_cg/c", "cg")]
+    {
+        for by in [Vec2::new(3.0, 40.0), Vec2::new(3.0, -40.0), Vec2::new(1.0, 8.0)] {
+            let before = value(&page, key);
+            let slider = page.get_by_role_and_label(Role::Slider, name).rect();
+            swipe(&mut page, slider.center() + Vec2::new(9.0, 0.0), by);
+            assert_eq!(value(&page, key), before, "{name} by {by}");
+        }
+    }
+}

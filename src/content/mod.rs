@@ -4,6 +4,7 @@
 pub mod aircraft;
 mod aircraft_file;
 mod airframe_file;
+pub mod lessons;
 mod matrix;
 mod published;
 pub(crate) mod reader;

@@ -126,8 +126,8 @@ pub fn command(ui: &Ui) -> Option<Command> {
     })
 }
 
-/// The sheet of all keys, over the page. Says whether it is still wanted.
-pub fn sheet_ui(ui: &Ui) -> bool {
+/// The sheet of all keys, over the page. Says whether it is still wanted, and whether the lessons are wanted instead.
+pub fn sheet_ui(ui: &Ui) -> (bool, bool) {
     let palette = Palette::of(ui);
     let frame = egui::Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(egui::Id::unique("keys")).frame(frame).show(ui, |ui| {
@@ -169,7 +169,13 @@ pub fn sheet_ui(ui: &Ui) -> bool {
         let note = "The scroll wheel never changes a number. On a Mac, Ctrl is the command key.";
         ui.label(RichText::new(note).font(theme::small()).color(palette.weak));
         ui.add_space(4.0);
-        ui.button("Close").clicked()
+        ui.horizontal(|ui| {
+            let close = ui.button("Close").clicked();
+            // On a phone the bar has no room for it.
+            (close, ui.button("Lessons").clicked())
+        })
+        .inner
     });
-    !(modal.inner || modal.should_close())
+    let (close, lessons) = modal.inner;
+    (!(close || lessons || modal.should_close()), lessons)
 }

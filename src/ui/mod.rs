@@ -13,6 +13,7 @@ mod influence;
 mod kept;
 mod keys;
 mod labels;
+mod lesson;
 mod mode_cards;
 mod number_field;
 mod overall_level;

@@ -196,6 +196,7 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let redo = Tool { is_enabled: bar.history.1, ..Tool::new("↷", "Redo", Action::Redo) };
     let mut tools = vec![share, pin, undo, redo, dress];
     if !bar.narrow {
+        tools.insert(0, Tool::new("Lessons", "Lessons: begin with a question", Action::Lessons));
         tools.push(Tool::help());
     }
     let pinned = bar.pinned.filter(|_| bar.roomy).map(|pinned| format!("○ pinned: {}", pinned.name));

@@ -35,6 +35,8 @@ pub enum Action {
     CopyLink,
     /// Open the sheet of keys.
     Help,
+    /// Open the sheet of lessons.
+    Lessons,
     /// Open the sheet of the aircraft's source.
     Source,
 }
@@ -81,6 +83,10 @@ impl App {
             }
             Action::Source => {
                 self.panes.source = true;
+                return;
+            }
+            Action::Lessons => {
+                self.panes.lessons = true;
                 return;
             }
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),

@@ -40,7 +40,14 @@ impl App {
     pub(super) fn desk_ui(&mut self, ui: &mut Ui, wide: bool) -> Option<Action> {
         let palette = Palette::of(ui);
         let mut action = None;
-        if wide && self.view.stage.has(Part::Modes) {
+        if wide && self.has_lesson() {
+            // In the place of the modes, whose cards would give the answers away.
+            Panel::right("lesson")
+                .exact_size(340.0)
+                .resizable(false)
+                .frame(side_frame(ui))
+                .show(ui, |ui| self.lesson_ui(ui));
+        } else if wide && self.view.stage.has(Part::Modes) {
             action = Panel::right("modes")
                 .exact_size(286.0)
                 .resizable(false)
@@ -73,7 +80,14 @@ impl App {
             }
             let area = ScrollArea::vertical().auto_shrink(false);
             finger::scroll_area_ui(ui, "middle", area, |ui| {
-                let with_modes = self.view.stage.has(Part::Modes);
+                let with_modes = self.view.stage.has(Part::Modes) && !self.has_lesson();
+                if self.has_lesson() {
+                    theme::pane(Palette::of(ui)).show(ui, |ui| {
+                        ui.set_width(ui.available_width());
+                        self.step_ui(ui);
+                    });
+                    ui.add_space(PANE_GAP);
+                }
                 let action = if with_modes { self.verdicts_ui(ui) } else { None };
                 let width = ui.available_width();
                 let stage = &self.view.stage;
@@ -139,8 +153,10 @@ impl App {
             (PhonePane::Response, Part::Response, "Response"),
             (PhonePane::Aircraft, Part::Aircraft, "Aircraft"),
         ];
+        let of_lesson = self.has_lesson().then_some((PhonePane::Lesson, "Lesson"));
         let staged = panes.iter().filter(|(_, part, _)| self.view.stage.has(*part));
-        let staged: Vec<(PhonePane, &str)> = staged.map(|&(pane, _, text)| (pane, text)).collect();
+        let staged: Vec<(PhonePane, &str)> =
+            of_lesson.into_iter().chain(staged.map(|&(pane, _, text)| (pane, text))).collect();
         let Some(&(first, _)) = staged.first() else {
             self.go_on_unseen(ui);
             return None;
@@ -163,6 +179,11 @@ impl App {
             self.panes.touched = None;
         }
         let pane = |ui: &mut Ui| match self.panes.phone_pane {
+            PhonePane::Lesson => {
+                self.lesson_ui(ui);
+                self.play(ui);
+                None
+            }
             PhonePane::Derivatives => {
                 self.derivatives_ui(ui, Rows::Touch);
                 None

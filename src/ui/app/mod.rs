@@ -3,6 +3,7 @@
 mod actions;
 mod history;
 mod layout;
+mod lesson;
 mod panes;
 mod pinned;
 
@@ -24,6 +25,7 @@ use crate::scenario::{Choice, Part, Scenario, Source, View, link};
 use crate::ui::flight_pane::FlightPane;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
+use crate::ui::lesson::Session;
 use crate::ui::poles::{DragPhase, PoleMap};
 use crate::ui::responses::Responses;
 use crate::ui::share::Share;
@@ -41,6 +43,8 @@ const TABLET: f32 = 1180.0;
 /// The panes of a phone, of which one is on screen below the pole map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum PhonePane {
+    /// The step of a lesson that is open.
+    Lesson,
     #[default]
     Derivatives,
     Modes,
@@ -56,6 +60,10 @@ struct Panes {
     flight: FlightPane,
     /// Whether the sheet of keys is open.
     help: bool,
+    /// Whether the sheet of lessons is open.
+    lessons: bool,
+    /// The lesson that is open.
+    lesson: Option<Session>,
     /// Whether the sheet of the aircraft's source is open.
     source: bool,
     /// What the sliders are narrowed down to.
@@ -212,8 +220,11 @@ impl App {
             self.refresh();
         }
         let by_pane = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, wide) };
+        self.lessons_ui(ui);
         if self.panes.help {
-            self.panes.help = keys::sheet_ui(ui);
+            let (help, lessons) = keys::sheet_ui(ui);
+            self.panes.help = help;
+            self.panes.lessons |= lessons;
         }
         if self.panes.source {
             let is_edited = self.scenario.is_edited();

@@ -1,0 +1,14 @@
+//! The lessons that ship, as text; `lesson` reads them.
+
+/// Lessons: name of the file and text, in the order in which they are offered.
+pub const LESSONS: [(&str, &str); 3] = [
+    ("longitudinal.md", include_str!("../../assets/lessons/longitudinal.md")),
+    ("lateral.md", include_str!("../../assets/lessons/lateral.md")),
+    ("hangar.md", include_str!("../../assets/lessons/hangar.md")),
+];
+
+/// The glossary of all lessons.
+pub const GLOSSARY: &str = include_str!("../../assets/lessons/glossary.toml");
+
+/// The references of all lessons.
+pub const REFERENCES: &str = include_str!("../../assets/lessons/references.toml");

@@ -1,0 +1,191 @@
+//! A lesson beside the scene: one step at a time, which asks before it shows.
+
+mod question;
+mod task;
+mod text;
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use egui::{Button, Frame, Id, Modal, RichText, Ui};
+
+use super::theme::{self, Palette};
+use crate::content::lessons::{GLOSSARY, LESSONS, REFERENCES};
+use crate::content::{Aircraft, ContentError};
+use crate::findings::Findings;
+use crate::lesson::{Lesson, Part, Shelf, Step};
+use question::{Given, question_ui};
+use task::{Tried, task_ui};
+use text::text_ui;
+
+/// A lesson that is open: where the person is in it, and what they have answered.
+#[derive(Debug)]
+pub struct Session {
+    lesson: Lesson,
+    shelf: Shelf,
+    step: usize,
+    /// The scene of the step as it was at its start.
+    start: Rc<Findings>,
+    /// Answers, by step and part.
+    given: BTreeMap<(usize, usize), Given>,
+    /// Hints and solutions that were asked for, likewise.
+    tried: BTreeMap<(usize, usize), Tried>,
+}
+
+/// What a person asks for in the pane of a lesson.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// Open a scene.
+    Scene(String),
+    /// Open the scene of the step.
+    Step,
+    /// Close the lesson.
+    Close,
+}
+
+impl Session {
+    /// A lesson that ships, at its first step; `None` if there is none by this name.
+    pub fn open(file: &str, aircraft: &[Arc<Aircraft>]) -> Option<Result<Self, ContentError>> {
+        let (file, text) = LESSONS.into_iter().find(|(name, _)| *name == file)?;
+        Some(Self::read(file, text, aircraft))
+    }
+
+    fn read(file: &str, text: &str, aircraft: &[Arc<Aircraft>]) -> Result<Self, ContentError> {
+        let (lesson, shelf) = (Lesson::read(file, text)?, Shelf::read(GLOSSARY, REFERENCES)?);
+        let start = Rc::new(start_of(lesson.steps.first(), aircraft)?);
+        Ok(Self { lesson, shelf, step: 0, start, given: BTreeMap::new(), tried: BTreeMap::new() })
+    }
+
+    /// The link of the step's scene.
+    pub fn link(&self) -> &str {
+        self.current().map_or("", |step| &step.scene.link)
+    }
+
+    /// Keys of the sliders that the step's task offers; none where it offers all.
+    pub fn offered(&self) -> Vec<&'static str> {
+        let tasks = self.current().into_iter().flat_map(Step::tasks);
+        tasks.flat_map(|task| task.offer.iter().map(|parameter| parameter.key)).collect()
+    }
+
+    fn current(&self) -> Option<&Step> {
+        self.lesson.steps.get(self.step)
+    }
+
+    /// Goes to another step. Says whether its scene is another.
+    fn go_to(&mut self, step: usize, aircraft: &[Arc<Aircraft>]) -> bool {
+        let before = (self.link().to_owned(), self.offered());
+        self.step = step.min(self.lesson.steps.len().saturating_sub(1));
+        if let Ok(start) = start_of(self.current(), aircraft) {
+            self.start = Rc::new(start);
+        }
+        before != (self.link().to_owned(), self.offered())
+    }
+}
+
+/// What follows from the scene of a step.
+fn start_of(step: Option<&Step>, aircraft: &[Arc<Aircraft>]) -> Result<Findings, ContentError> {
+    let opened = step.and_then(|step| step.scene.open(aircraft));
+    opened.map(|opened| Findings::of(opened.scenario)).ok_or_else(|| ContentError {
+        file: String::new(),
+        line: step.map_or(1, |step| step.line),
+        problem: "expected a step with a scene".to_owned(),
+    })
+}
+
+/// Draws the step, and gives what the person asks for. `now` is what follows from the scene on screen.
+pub fn lesson_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    now: &Findings,
+    aircraft: &[Arc<Aircraft>],
+) -> Option<Wish> {
+    let palette = Palette::of(ui);
+    let mut wish = None;
+    ui.horizontal(|ui| {
+        let title = RichText::new(&session.lesson.title).font(theme::small()).color(palette.weak);
+        ui.label(title);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let close = Button::new(RichText::new("Close").font(theme::small()));
+            if ui.add(close).accessible_name("Close the lesson").clicked() {
+                wish = Some(Wish::Close);
+            }
+        });
+    });
+    let index = session.step;
+    let Some(step) = session.lesson.steps.get(index) else { return wish };
+    theme::heading(ui, RichText::new(&step.title).font(theme::semibold(theme::sizes(ui).card)), 2);
+    let context = text::Context { start: &session.start, shelf: &session.shelf, aircraft };
+    // What comes after a question is shown once it has its answer.
+    let mut is_open = true;
+    for (place, part) in step.parts.iter().enumerate() {
+        let key = (index, place);
+        match part {
+            Part::Text(text) => wish = text_ui(ui, text, context).or(wish),
+            Part::Prediction(prediction) => {
+                let given = session.given.entry(key).or_default();
+                ui.push_id(key, |ui| question_ui(ui, prediction, given, context));
+                is_open &= given.is_answered();
+            }
+            Part::Reveal(text) if is_open => {
+                let frame = Frame::new().fill(palette.stable_half).corner_radius(8).inner_margin(8);
+                wish = frame.show(ui, |ui| text_ui(ui, text, context)).inner.or(wish);
+            }
+            Part::Reveal(_) => {}
+            Part::Task(task) => {
+                let tried = session.tried.entry(key).or_default();
+                let asked = ui.push_id(key, |ui| task_ui(ui, task, tried, now, context)).inner;
+                wish = asked.or(wish);
+            }
+        }
+        ui.add_space(6.0);
+    }
+    let count = session.lesson.steps.len();
+    ui.separator();
+    let mut to = None;
+    ui.horizontal(|ui| {
+        if ui.add_enabled(index > 0, Button::new("← Back")).clicked() {
+            to = Some(index - 1);
+        }
+        ui.label(RichText::new(format!("Step {} of {count}", index + 1)).font(theme::small()));
+        let next = if is_open { "Next →" } else { "Skip →" };
+        if ui.add_enabled(index + 1 < count, Button::new(next)).clicked() {
+            to = Some(index + 1);
+        }
+    });
+    if let Some(to) = to
+        && session.go_to(to, aircraft)
+    {
+        wish = Some(Wish::Step);
+    }
+    wish
+}
+
+/// The sheet that offers the lessons. Gives the file of the one that was chosen, and whether the sheet is still wanted.
+pub fn lessons_sheet_ui(ui: &Ui) -> (Option<&'static str>, bool) {
+    let frame = Frame::popup(ui.style()).inner_margin(16);
+    let mut chosen = None;
+    let modal = Modal::new(Id::unique("lessons")).frame(frame).show(ui, |ui| {
+        ui.set_max_width((ui.content_rect().width() - 64.0).min(460.0));
+        theme::heading(ui, RichText::new("Lessons").heading().size(theme::sizes(ui).sheet), 2);
+        ui.label("New here? Each begins with a question, and answers it on this page.");
+        for (file, text) in LESSONS {
+            ui.add_space(8.0);
+            match Lesson::read(file, text) {
+                Ok(lesson) => {
+                    let title = RichText::new(&lesson.title).font(theme::semibold(theme::sizes(ui).value));
+                    if ui.button(title).clicked() {
+                        chosen = Some(file);
+                    }
+                    ui.label(RichText::new(lesson.about.unwrap_or_default()).font(theme::small()));
+                }
+                Err(error) => {
+                    ui.label(error.to_string());
+                }
+            }
+        }
+        ui.add_space(8.0);
+        ui.button("Go on without a lesson").clicked()
+    });
+    (chosen, chosen.is_none() && !modal.inner && !modal.should_close())
+}

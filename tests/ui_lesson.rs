@@ -1,0 +1,115 @@
+//! A lesson beside the scene: asked before it shows, on a wide page, a tablet and a phone.
+
+mod page;
+
+use egui::Vec2;
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::scenario::Parameter;
+use page::{PHONE, Page, WIDE, page, type_into};
+
+fn click(harness: &mut Page, label: &str) {
+    harness.get_by_role_and_label(Role::Button, label).click_accesskit();
+    harness.run();
+}
+
+fn count(harness: &Page, label: &str) -> usize {
+    harness.query_all_by_label_contains(label).count()
+}
+
+/// Opens a lesson by the bar, or on a phone by the sheet of help.
+fn open_lesson(harness: &mut Page, title: &str) {
+    let by_bar = harness.query_by_label("Lessons: begin with a question").is_some();
+    if by_bar {
+        click(harness, "Lessons: begin with a question");
+    } else {
+        click(harness, "Help: all keys");
+        click(harness, "Lessons");
+    }
+    click(harness, title);
+}
+
+#[test]
+fn a_step_asks_before_it_shows_and_says_why_a_wrong_answer_is_wrong() {
+    for size in [WIDE, Vec2::new(1000.0, 800.0), PHONE] {
+        let mut harness = page(size);
+        open_lesson(&mut harness, "Longitudinal modes");
+        harness.get_by_label_contains("What does the nose do in the first seconds?");
+        // Nothing is told yet: neither the reveal nor the cards of the modes beside it.
+        assert_eq!(count(&harness, "It swings once in"), 0, "{size}");
+        assert_eq!(count(&harness, "Fly the"), 0, "{size}");
+        click(&mut harness, "It swings for minutes.");
+        click(&mut harness, "Answer");
+        harness.get_by_label("Not so.");
+        assert_eq!(count(&harness, "The quick motion of the nose is damped by the tail"), 1, "{size}");
+        // The numbers of the text are the model's: 2.42 s is the published period of the Navion's short period.
+        assert!(count(&harness, "2.42") > 0, "{size}");
+        click(&mut harness, "Next →");
+        harness.get_by_label("Step 2 of 7");
+        // What was answered stays.
+        click(&mut harness, "← Back");
+        harness.get_by_label("Not so.");
+        click(&mut harness, "Close the lesson");
+        assert_eq!(count(&harness, "Step 1 of 7"), 0, "{size}");
+    }
+}
+
+#[test]
+fn not_knowing_is_an_answer_and_an_estimate_is_judged_by_its_factor() {
+    let mut harness = page(WIDE);
+    open_lesson(&mut harness, "Longitudinal modes");
+    click(&mut harness, "I don’t know");
+    harness.get_by_label("Now you can find out.");
+    for _ in 0..6 {
+        if harness
+            .query_all_by_role(Role::TextInput)
+            .any(|node| node.accesskit_node().label().unwrap_or_default().starts_with("Your estimate"))
+        {
+            break;
+        }
+        let next = harness.query_by_label("Next →").is_some();
+        click(&mut harness, if next { "Next →" } else { "Skip →" });
+    }
+    let field = harness
+        .query_all_by_role(Role::TextInput)
+        .find_map(|node| node.accesskit_node().label().filter(|label| label.starts_with("Your estimate")))
+        .expect("a step asks for a number");
+    type_into(&mut harness, &field, "ten");
+    assert_eq!(count(&harness, "“ten” is not a number"), 1);
+    type_into(&mut harness, &field, "1000000");
+    click(&mut harness, "Answer");
+    assert_eq!(count(&harness, "It is "), 1);
+    assert_eq!(count(&harness, "Within 10 %"), 0);
+}
+
+/// A challenge of the hangar: no condition is met at its start, its solution meets all.
+#[test]
+fn a_task_tells_how_near_it_is_and_shows_a_solution_last() {
+    let mut harness = page(WIDE);
+    open_lesson(&mut harness, "The hangar");
+    let mut tasks = 0;
+    for _ in 0..20 {
+        if count(&harness, ", wanted ") > 0 {
+            tasks += 1;
+            assert_eq!(count(&harness, "✓ Done"), 0);
+            while harness.query_by_label("Give me a hint").is_some() {
+                assert!(harness.query_by_label("Show a solution").is_none(), "hints come first");
+                click(&mut harness, "Give me a hint");
+            }
+            if harness.query_by_label("Show a solution").is_some() {
+                click(&mut harness, "Show a solution");
+                assert_eq!(count(&harness, "✓ Done"), 1, "task {tasks}");
+            }
+        }
+        let next = ["Next →", "Skip →"].into_iter().find(|label| {
+            harness.query_by_label(label).is_some_and(|node| !node.accesskit_node().is_disabled())
+        });
+        let Some(next) = next else { break };
+        click(&mut harness, next);
+    }
+    assert!(tasks >= 8, "{tasks}");
+    // A slider that no task offers is there again once the lesson is closed.
+    click(&mut harness, "Close the lesson");
+    assert!(harness.query_all_by_role(Role::Slider).count() > 10);
+    assert!(Parameter::find("cm_alpha").is_some());
+}
