@@ -334,3 +334,23 @@ fn a_finger_going_down_on_any_slider_sets_nothing() {
         }
     }
 }
+
+/// A browser tells of a finger as a pointer first; a frame may be drawn before it tells that it is a finger.
+#[test]
+fn a_finger_that_is_told_as_a_pointer_first_sets_nothing_either() {
+    let mut page = page(PHONE);
+    let before = value(&page, "speed");
+    let at = page.get_by_role_and_label(Role::Slider, "airspeed V").rect().center() + Vec2::new(20.0, 0.0);
+    button(&mut page, at, true);
+    page.step();
+    touch(&mut page, 0, TouchPhase::Start, at);
+    page.step();
+    for k in 1..=6 {
+        let to = at + Vec2::new(0.5, 7.0) * k as f32;
+        page.input_mut().events.push(Event::PointerMoved(to));
+        touch(&mut page, 0, TouchPhase::Move, to);
+        page.step();
+    }
+    lift(&mut page, at + Vec2::new(3.0, 42.0));
+    assert_eq!(value(&page, "speed"), before);
+}

@@ -4,6 +4,7 @@
 //! egui gives a drag to the topmost widget that senses one, whatever its direction. Here the widget gives an upright one on,
 //! to the scroll area around it, which then follows the finger and rolls out as for any other drag.
 
+use super::theme;
 use egui::{AsIdSalt, Id, IdSalt, MultiTouchInfo, Response, ScrollArea, Ui, UiBuilder, UiStackInfo};
 
 /// Under this name a `Ui` tells what scrolls when a finger goes up or down in it.
@@ -65,8 +66,10 @@ fn background(ui: &Ui) -> Option<Id> {
 /// anywhere where nothing scrolls. To be asked once a frame, before anything else of the response is used.
 pub fn works_on(ui: &Ui, response: &Response) -> bool {
     if !ui.input(|input| input.any_touches()) {
-        // A finger that has just left has tapped; what it had drawn along has been let go.
-        return true;
+        // A finger that has just left has tapped; what it had drawn along has been let go. One that has just come may be told as a
+        // pointer first, and as a finger only in the next frame: until it moves it may be going to scroll.
+        let may_be_finger = theme::is_for_fingers(ui) || ui.input(|input| input.has_touch_screen());
+        return !may_be_finger || response.dragged() || response.clicked() || response.double_clicked();
     }
     let Some(background) = background(ui) else { return true };
     let upright = ui.input(|input| {
