@@ -75,7 +75,7 @@ fn the_tools_are_reached_in_the_order_of_reading() {
     page.run();
     let mut right = 0.0;
     // Undo and redo have nothing to do yet.
-    for name in ["Share link", "Pin this state", "theme", "Help"] {
+    for name in ["Lessons", "Share link", "Pin this state", "theme", "Help"] {
         page.key_press(Key::Tab);
         page.run();
         let (_, label, rect) = focused(&page).expect("something has the focus");

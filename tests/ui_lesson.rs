@@ -113,3 +113,21 @@ fn a_task_tells_how_near_it_is_and_shows_a_solution_last() {
     assert!(harness.query_all_by_role(Role::Slider).count() > 10);
     assert!(Parameter::find("cm_alpha").is_some());
 }
+
+/// Each task has the sliders that it offers, whatever the step before it had.
+#[test]
+fn a_task_offers_its_own_sliders() {
+    let mut harness = page(WIDE);
+    open_lesson(&mut harness, "Longitudinal modes");
+    let mut offers = 0;
+    for step in 1..7 {
+        let next = harness.query_by_label("Next →").is_some();
+        click(&mut harness, if next { "Next →" } else { "Skip →" });
+        harness.get_by_label(&format!("Step {} of 7", step + 1));
+        if count(&harness, "Move the centre of gravity until") > 0 {
+            harness.get_by_role_and_label(Role::Slider, "shift of the centre of gravity Δx_cg/c");
+            offers += 1;
+        }
+    }
+    assert_eq!(offers, 1);
+}

@@ -58,7 +58,7 @@ impl App {
     fn open_step(&mut self) {
         let Some(session) = &self.panes.lesson else { return };
         let (link, offered) = (session.link().to_owned(), session.offered());
-        self.open_scene(&link);
+        self.open(&link);
         if self.view.stage.offered.is_empty() {
             self.view.stage.offered = offered;
         }

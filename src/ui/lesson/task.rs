@@ -82,7 +82,7 @@ fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context
     let color = if progress.met { palette.good } else { palette.text };
     let text = format!("{mark} {}: {now}, wanted {wanted}", words::measure::name(measure));
     ui.label(RichText::new(text).font(theme::small()).color(color));
-    if !progress.met {
+    if progress.share > 0.0 && !progress.met {
         ui.add(ProgressBar::new(progress.share as f32).desired_height(6.0));
     }
 }

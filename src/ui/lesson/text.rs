@@ -27,10 +27,8 @@ pub struct Context<'a> {
 pub fn text_ui(ui: &mut Ui, text: &Text, context: Context<'_>) -> Option<Wish> {
     let mut wish = None;
     for block in &text.blocks {
-        ui.horizontal_wrapped(|ui| {
+        let line = |ui: &mut Ui| {
             ui.spacing_mut().item_spacing = egui::Vec2::new(0.0, 3.0);
-            // A word that leads somewhere stands in its line like the others.
-            ui.spacing_mut().interact_size.y = 0.0;
             if let TextBlock::Item { depth, number, begins, .. } = block {
                 ui.add_space(12.0 * (*depth as f32));
                 match number {
@@ -46,7 +44,13 @@ pub fn text_ui(ui: &mut Ui, text: &Text, context: Context<'_>) -> Option<Wish> {
             for span in block.spans() {
                 wish = span_ui(ui, span, is_strong, context).or(wish.take());
             }
+        };
+        ui.scope(|ui| {
+            // A word that leads somewhere stands in its line like the others, on a phone too.
+            ui.spacing_mut().interact_size.y = 0.0;
+            ui.horizontal_wrapped(line);
         });
+        ui.add_space(2.0);
     }
     wish
 }
