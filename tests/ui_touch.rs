@@ -354,3 +354,51 @@ fn a_finger_that_is_told_as_a_pointer_first_sets_nothing_either() {
     lift(&mut page, at + Vec2::new(3.0, 42.0));
     assert_eq!(value(&page, "speed"), before);
 }
+
+/// A tap on the rail sets the slider where the finger was.
+#[test]
+fn a_tap_on_a_slider_sets_it() {
+    for pointer_first in [false, true] {
+        let mut page = page(PHONE);
+        let before = value(&page, "cg");
+        let rail = page.get_by_role_and_label(Role::Slider, "shift of the centre of gravity Δx_cg/c").rect();
+        let at = rail.center() - Vec2::new(0.25 * rail.width(), 0.0);
+        if pointer_first {
+            button(&mut page, at, true);
+            page.step();
+            touch(&mut page, 0, TouchPhase::Start, at);
+            page.step();
+        } else {
+            put_down(&mut page, at);
+        }
+        lift(&mut page, at);
+        page.run_steps(3);
+        assert!(value(&page, "cg") < before, "{pointer_first}");
+        // At once, in one frame.
+        let rail = page.get_by_role_and_label(Role::Slider, "airspeed V").rect();
+        let (at, before) = (rail.center() + Vec2::new(0.25 * rail.width(), 0.0), value(&page, "speed"));
+        button(&mut page, at, true);
+        touch(&mut page, 0, TouchPhase::Start, at);
+        lift(&mut page, at);
+        page.run_steps(3);
+        assert!(value(&page, "speed") > before, "{pointer_first}: in one frame");
+    }
+}
+
+/// A browser tells that a pointer has gone before it tells that the finger has.
+#[test]
+fn a_tap_counts_while_its_touch_has_not_ended() {
+    let mut page = page(PHONE);
+    let before = value(&page, "cg");
+    let rail = page.get_by_role_and_label(Role::Slider, "shift of the centre of gravity Δx_cg/c").rect();
+    let at = rail.center() - Vec2::new(0.25 * rail.width(), 0.0);
+    button(&mut page, at, true);
+    page.step();
+    touch(&mut page, 0, TouchPhase::Start, at);
+    page.step();
+    button(&mut page, at, false);
+    page.step();
+    touch(&mut page, 0, TouchPhase::End, at);
+    page.step();
+    assert!(value(&page, "cg") < before);
+}

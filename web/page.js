@@ -52,7 +52,6 @@
   }
 
   function failToLoad() {
-    if (isShutOff) return failShutOff();
     fail(
       "Eigenwing could not be loaded",
       "A part of the page did not arrive.",
@@ -60,25 +59,7 @@
     );
   }
 
-  // A frame with `sandbox` and without `allow-same-origin` has no origin: most servers then give it no part of the program, and
-  // not every browser says so.
-  const isShutOff = window.origin === "null" && location.protocol.startsWith("http");
-  const patience = 8000;
-
-  function failShutOff() {
-    fail(
-      "This frame is shut off",
-      "The page that holds this frame gives it no origin of its own, so that the browser keeps the program from it.",
-      "Add allow-same-origin to the sandbox attribute of the frame, or open the page in a tab of its own.",
-    );
-  }
-
-  if (isShutOff) {
-    const before = element("progress-text").textContent;
-    setTimeout(() => {
-      if (!ready && element("progress-text").textContent === before) failShutOff();
-    }, patience);
-  }
+  element("shut-off").remove();
 
   // In a frame the keyboard stays where it is until a person comes here: the program asks for it as it starts, and would take it
   // from a field that is being typed in.

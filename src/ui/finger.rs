@@ -80,7 +80,8 @@ pub fn works_on(ui: &Ui, response: &Response) -> bool {
         ui.ctx().set_dragged_id(background);
         return false;
     }
-    response.dragged()
+    // A tap may be over before its touch is told to have ended.
+    response.dragged() || response.clicked()
 }
 
 /// What two fingers do on a widget; they take it away from what scrolls.

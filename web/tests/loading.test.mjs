@@ -135,5 +135,5 @@ test("in a frame the page takes the keyboard only once it is used", async (t) =>
 
 test("in a frame without an origin the page says why it can’t start", async (t) => {
   const { frame } = await hosted(t, 'sandbox="allow-scripts"');
-  await frame.getByText("This frame is shut off").waitFor();
+  await frame.getByText("add allow-same-origin to its sandbox").waitFor();
 });
