@@ -274,7 +274,9 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
   await swipe([scrolled], 3, 40);
   await until(row, (now) => now.y > scrolled.y + 20, "down on a slider scrolls too");
   assert.deepEqual((await state()).parameters, after.parameters, "and nothing is set");
-  assert.deepEqual(await pole(), poleBefore, "nor is the map moved");
+  // Its range may still ease by a fraction of a point to the centre of gravity that was drawn.
+  const poleAfter = await pole();
+  assert.ok(Math.hypot(poleAfter.x - poleBefore.x, poleAfter.y - poleBefore.y) < 2, "nor is the map moved");
   await swipe([{ x: map.x + 50, y: map.y + 60 }, { x: map.x + 90, y: map.y + 80 }], -20, 25);
   await until(pole, (now) => now.x < poleBefore.x - 10 && now.y > poleBefore.y + 10, "two fingers move the map");
   await swipe([await pole()], -4, -20);

@@ -136,9 +136,10 @@ export async function open(t, options = {}) {
     slider: (name) => page.getByRole("slider", { name, exact: true }),
     // What the progress bar has shown, each value once.
     progress: async () => [...new Set(await page.evaluate(() => window.progressValues))],
-    // Waits until the page has drawn nothing for a while: a frame takes long where software draws it.
+    // Waits until the page has drawn nothing for a while: a frame takes long where software draws it, and on a machine that is
+    // shared now and then ten times as long. What never rests is found all the same.
     rest: async () => {
-      for (let i = 0; i < 20; i += 1) {
+      for (let i = 0; i < 60; i += 1) {
         const before = await page.evaluate(() => window.drawCalls);
         await sleep(700);
         if ((await page.evaluate(() => window.drawCalls)) === before) return;
@@ -166,12 +167,12 @@ export async function open(t, options = {}) {
 // such as a page that is being loaded again, is tried again.
 export async function until(found, condition, what) {
   let last;
-  for (let i = 0; i < 200; i += 1) {
+  for (let i = 0; i < 600; i += 1) {
     last = await found().catch(() => undefined);
     if (last != null && condition(last)) return last;
     await sleep(50);
   }
-  return assert.fail(`not within 10 s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
+  return assert.fail(`not within 30 s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
 }
 
 // The middle of an element, and its width.
