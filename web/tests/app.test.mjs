@@ -99,6 +99,15 @@ test("a slider dragged by mouse moves poles and response, and a double click res
   await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "the reference again");
 });
 
+test("a small page, which is drawn fast, comes to rest as a large one does", async (t) => {
+  const { ready, slider, state, rest } = await open(t, { viewport: { width: 390, height: 500 } });
+  await ready();
+  await rest();
+  await slider(PITCH_STIFFNESS).fill("-0.5");
+  await until(state, (now) => now.parameters.cm_alpha === -0.5, "set");
+  await rest();
+});
+
 test("the wheel over sliders and numbers edits nothing", async (t) => {
   const { page, ready, state, slider, drawCallsIn } = await open(t);
   await ready();

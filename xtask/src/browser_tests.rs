@@ -26,24 +26,13 @@ pub fn run(project: &Project) -> Result<()> {
     tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
     tests.sort();
     ensure!(!tests.is_empty(), "web/tests holds no test");
-    for test in tests {
-        let run = || {
-            process::run(
-                Command::new("node")
-                    .current_dir(&web)
-                    .args(["--test", "--test-concurrency=1", "--test-reporter=spec"])
-                    .arg(&test)
-                    .env("CHROMIUM", &chromium),
-            )
-        };
-        // Now and then a page goes on drawing where it should rest, on a machine that is shared: the cause is not known yet. What
-        // fails twice in a row fails; what fails once is said here, so that it is seen.
-        if let Err(error) = run() {
-            println!("{} is run once more: {error:#}", test.display());
-            run()?;
-        }
-    }
-    Ok(())
+    process::run(
+        Command::new("node")
+            .current_dir(&web)
+            .args(["--test", "--test-concurrency=1", "--test-reporter=spec"])
+            .args(tests)
+            .env("CHROMIUM", chromium),
+    )
 }
 
 fn check_node() -> Result<()> {

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::mem;
+use std::time::Duration;
 
 use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId, TreeUpdate};
 use wasm_bindgen::JsCast as _;
@@ -18,6 +19,9 @@ use crate::picture::Picture;
 
 /// While frames come faster than this, egui doesn't make a tree for each.
 const INTERVAL_MS: i32 = 100;
+
+/// A delay that is over when the next frame is drawn: what is asked for with a delay is drawn once.
+const ONE_FRAME: Duration = Duration::from_nanos(1);
 
 /// Heard at the root, for all elements in it.
 const EVENTS: [&str; 7] = ["click", "input", "change", "keydown", "keyup", "focusin", "focusout"];
@@ -178,8 +182,9 @@ impl Page {
         self.timer = None;
         self.ctx.enable_accesskit();
         if mem::take(&mut self.missed) {
-            // The page shows an older frame than the canvas.
-            self.ctx.request_repaint();
+            // The page shows an older frame than the canvas. egui answers a plain request with two frames; the second would
+            // have no tree, so this would be here again, and a page that draws fast would never rest.
+            self.ctx.request_repaint_after(ONE_FRAME);
         }
     }
 
