@@ -12,7 +12,9 @@ use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
 use eigenwing::scenario::view::{
     Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
-use eigenwing::scenario::{Dimension, Page, Parameter, Part, Quantity, Scenario, Source, Stage, parameters};
+use eigenwing::scenario::{
+    Dimension, Hidden, Lock, Page, Parameter, Part, Quantity, Scenario, Source, Stage, parameters,
+};
 use eigenwing::words;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -109,6 +111,9 @@ prop_compose! {
         tab in any::<Index>(),
         nonlinear in any::<bool>(),
         parts in prop::collection::vec(prop::sample::select(Part::VALUES), 0..4),
+        hidden in prop::collection::vec(prop::sample::select(Hidden::VALUES), 0..4),
+        locks in prop::collection::vec(prop::sample::select(Lock::VALUES), 0..3),
+        type_size in prop::option::of(80_u16..=300),
         rate in prop::sample::select(&Pace::RATES),
         hundredths in 0_u32..30_000,
         playing in any::<bool>(),
@@ -128,8 +133,10 @@ prop_compose! {
             frequency_of: if usual_pairs { usual.frequency_of } else { by_plane((pairs.0[4], pairs.1[4])) },
         };
         let overlays = if usual_overlays { Overlays::default() } else { overlays };
+        let mut stage = Stage::with(parts).hiding(hidden).locking(locks);
+        stage.type_size = type_size.map_or(1.0, |size| f64::from(size) / 100.0);
         let view = View {
-            stage: Stage::with(parts),
+            stage,
             page: Page::Matrix,
             maximised: pane,
             marks: Marks { approximations, levels },
@@ -182,6 +189,8 @@ prop_compose! {
         if !view.stage.parts().is_empty() {
             let sliders = parameters().filter(|p| !p.is_of_disturbance() && p.applies(&scene));
             view.stage.offered = sliders.map(|p| p.key).step_by(2).collect();
+            let lockable = parameters().filter(|p| p.is_of_disturbance() || p.applies(&scene));
+            view.stage.locked = lockable.map(|p| p.key).step_by(3).collect();
         }
         (scene, view, pinned)
     }
@@ -212,7 +221,7 @@ proptest! {
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
             .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
-                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer"]).collect();
+                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
@@ -498,6 +507,10 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
         "pane" => format!("{:?}", opened.view.maximised),
         "stage" => opened.view.stage.parts().iter().map(|part| part.key()).collect::<Vec<_>>().join("."),
         "offer" => opened.view.stage.offered.join("."),
+        "hide" => opened.view.stage.hidden().iter().map(|hidden| hidden.key()).collect::<Vec<_>>().join("."),
+        "lock" => opened.view.stage.locks().iter().map(|lock| lock.key()).collect::<Vec<_>>().join("."),
+        "locked" => opened.view.stage.locked.join("."),
+        "type" => opened.view.stage.type_size.to_string(),
         "camera" => {
             let Camera { azimuth, elevation, distance } = flight.camera;
             let standard = StandardView::ALL.into_iter().find(|view| view.camera() == flight.camera);

@@ -21,7 +21,7 @@ pub use dimension::Dimension;
 pub use disturbance::{Choice, Disturbance, START, Shape, Sizes, Source};
 pub use parameters::{Page, Parameter, ValueError, parameters};
 pub use quantity::Quantity;
-pub use stage::{Part, Stage};
+pub use stage::{Hidden, Lock, Part, Stage};
 pub use view::View;
 
 /// One aircraft with the person's edits, and the disturbance it is put through.

@@ -24,6 +24,13 @@ impl Display for Notice {
             Self::Word { key, word } => {
                 write!(f, "“{key}={word}” was left out: “{word}” isn't one of its words.")
             }
+            Self::WordOfList { key, list, word, nearest: None } => {
+                write!(f, "“{key}={list}” was left out: “{word}” isn't one of its words.")
+            }
+            Self::WordOfList { key, list, word, nearest: Some(nearest) } => write!(
+                f,
+                "“{key}={list}” was left out: “{word}” isn't one of its words (did you mean “{nearest}”?)."
+            ),
             Self::Value { key, name, error } => write!(f, "The {name} ({key}) was left out: {error}."),
             Self::NotOf { name, aircraft } => {
                 write!(f, "The {name} was left out: the data of {aircraft} don't have it.")

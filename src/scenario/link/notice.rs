@@ -32,6 +32,17 @@ pub enum Notice {
         /// The word.
         word: String,
     },
+    /// A word that the lists of a key don't have.
+    WordOfList {
+        /// The key.
+        key: String,
+        /// The list.
+        list: String,
+        /// The word.
+        word: String,
+        /// A word like it that they have.
+        nearest: Option<String>,
+    },
     /// A number that can't be used.
     Value {
         /// The key.

@@ -5,6 +5,7 @@ use percent_encoding::percent_decode_str;
 use super::super::{Parameter, ValueError};
 use super::notice::{Notice, quoted};
 use super::words;
+use crate::key::nearest;
 
 /// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
 pub const LONGEST: usize = 10_000;
@@ -62,6 +63,23 @@ impl Pieces {
             self.notices.push(Notice::Word { key: quoted(key), word: quoted(&word) });
         }
         meant
+    }
+
+    /// The values of a key that are joined by points, as `read` understands each. With one that it doesn't the list is left out,
+    /// and told with the word of `known` that is most like it.
+    pub fn take_list<T>(&mut self, key: &str, known: &[&str], read: impl Fn(&str) -> Option<T>) -> Vec<T> {
+        let Some(text) = self.take(key) else { return Vec::new() };
+        let mut values = Vec::new();
+        for word in text.split('.') {
+            let Some(value) = read(word) else {
+                let nearest = nearest(word, known.iter().copied());
+                let [list, word] = [&text, word].map(quoted);
+                self.notices.push(Notice::WordOfList { key: quoted(key), list, word, nearest });
+                return Vec::new();
+            };
+            values.push(value);
+        }
+        values
     }
 
     /// A parameter's value; one that is refused becomes a notice.

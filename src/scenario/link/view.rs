@@ -6,7 +6,7 @@
 use super::super::view::{
     Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
 };
-use super::super::{Page, Parameter, Part, Scenario, Stage, parameters};
+use super::super::{Hidden, Lock, Page, Parameter, Part, Scenario, Stage, parameters};
 use super::notice::Notice;
 use super::pieces::Pieces;
 use super::words;
@@ -48,10 +48,12 @@ impl View {
             of_plane("phase", portraits.as_flattened());
             of_plane("frequency_of", &[response.frequency_of[plane]]);
         }
-        let parts: Vec<&str> = stage.parts().iter().map(|part| part.in_links()).collect();
         for (key, value) in [
-            ("stage", parts.join(".")),
+            ("stage", keys_of(stage.parts())),
             ("offer", stage.offered.join(".")),
+            ("hide", keys_of(stage.hidden())),
+            ("lock", locks_text(stage)),
+            ("type", hundredths(stage.type_size)),
             ("split", word(words::word_of(&words::SPLITS, response.split))),
             ("marks", listed(&words::MARKS, marks.flags())),
             ("details", listed(&words::DETAILS, details.flags())),
@@ -60,7 +62,7 @@ impl View {
             ("drawn", listed(&words::OVERLAYS, flight.overlays.flags())),
             ("rate", word(words::word_of(&words::RATES, flight.pace.rate))),
             ("loop", word(words::word_of(&words::LOOPS, flight.pace.is_looping))),
-            ("t", time_text(flight.instant.time)),
+            ("t", hundredths(flight.instant.time)),
             ("play", word(words::word_of(&words::PLAYS, flight.instant.is_playing))),
         ] {
             pieces.push((key.to_owned(), value));
@@ -71,8 +73,7 @@ impl View {
     /// Takes its pieces out of a link.
     pub(super) fn read(pieces: &mut Pieces, scenario: &Scenario) -> Self {
         let mut view = Self::of(scenario);
-        view.stage = Stage::with(pieces.take_as("stage", parts).unwrap_or_default());
-        view.stage.offered = pieces.take_as("offer", |text| offered(scenario, text)).unwrap_or_default();
+        view.stage = read_stage(pieces, scenario);
         view.response.read(pieces);
         if let Some([approximations, levels]) = pieces.take_as("marks", |text| flags(&words::MARKS, text)) {
             view.marks = Marks { approximations, levels };
@@ -159,13 +160,19 @@ impl Overlays {
     }
 }
 
-/// A time in hundredths of a second: finer than a frame of a screen.
-fn time_text(time: f64) -> String {
-    ((100.0 * time).round() / 100.0).to_string()
+/// In hundredths: of a second, finer than a frame of a screen; of a factor on type, finer than a pixel.
+fn hundredths(number: f64) -> String {
+    ((100.0 * number).round() / 100.0).to_string()
 }
 
 fn read_time(text: &str) -> Option<f64> {
     text.parse().ok().filter(|time| (0.0..=LONGEST_TIME).contains(time))
+}
+
+fn read_type_size(text: &str) -> Option<f64> {
+    let [least, most] = Stage::TYPE_SIZES;
+    let size = text.parse().ok().filter(|size| (least..=most).contains(size))?;
+    hundredths(size).parse().ok()
 }
 
 /// A standard view by its word, any other in whole degrees and per cent: short, and the same in every browser.
@@ -199,19 +206,50 @@ fn outputs(plane: Plane, text: &str) -> Option<Vec<Output>> {
     text.split('.').map(|key| Output::by_key(key).filter(|output| output.plane() == plane)).collect()
 }
 
-/// Parts of the page, joined by points; at least one.
-fn parts(text: &str) -> Option<Vec<Part>> {
-    text.split('.').map(Part::by_key).collect()
+/// Keys joined by points.
+fn keys_of<T: Keyed>(values: &[T]) -> String {
+    values.iter().map(|value| value.in_links()).collect::<Vec<_>>().join(".")
 }
 
-/// Keys of the aircraft's parameters, joined by points, in the order of the table.
-fn offered(scenario: &Scenario, text: &str) -> Option<Vec<&'static str>> {
-    let named: Vec<&Parameter> = text.split('.').map(Parameter::find).collect::<Option<_>>()?;
+/// What is locked: first what has a word, then single parameters.
+fn locks_text(stage: &Stage) -> String {
+    let words = stage.locks().iter().map(|lock| lock.in_links());
+    words.chain(stage.locked.iter().copied()).collect::<Vec<_>>().join(".")
+}
+
+/// What of the page is on, hidden and locked.
+fn read_stage(pieces: &mut Pieces, scenario: &Scenario) -> Stage {
     let is_slider = |p: &Parameter| !p.is_of_disturbance() && p.applies(scenario);
-    if !named.iter().all(|p| is_slider(p)) {
-        return None;
-    }
-    Some(parameters().map(|p| p.key).filter(|key| named.iter().any(|p| p.key == *key)).collect())
+    let parts = pieces.take_list("stage", &words_of::<Part>(), Part::by_key);
+    let offered = pieces
+        .take_list("offer", &keys_where(is_slider), |key| Parameter::find(key).filter(|p| is_slider(p)));
+    let hidden = pieces.take_list("hide", &words_of::<Hidden>(), Hidden::by_key);
+    let can_lock = |p: &Parameter| Stage::can_lock(p, scenario);
+    let known: Vec<&str> = words_of::<Lock>().into_iter().chain(keys_where(can_lock)).collect();
+    let locked = pieces.take_list("lock", &known, |word| {
+        let (lock, parameter) = (Lock::by_key(word), Parameter::find(word).filter(|p| can_lock(p)));
+        (lock.is_some() || parameter.is_some()).then_some((lock, parameter))
+    });
+    let locks = locked.iter().filter_map(|(lock, _)| *lock).collect();
+    let locked: Vec<&Parameter> = locked.iter().filter_map(|(_, parameter)| *parameter).collect();
+    let mut stage = Stage::with(parts).hiding(hidden).locking(locks);
+    stage.offered = in_order_of_table(&offered);
+    stage.locked = in_order_of_table(&locked);
+    stage.type_size = pieces.take_as("type", read_type_size).unwrap_or(stage.type_size);
+    stage
+}
+
+fn words_of<T: Keyed>() -> Vec<&'static str> {
+    T::VALUES.iter().map(|value| value.in_links()).collect()
+}
+
+fn keys_where(fits: impl Fn(&Parameter) -> bool) -> Vec<&'static str> {
+    parameters().filter(|p| fits(p)).map(|p| p.key).collect()
+}
+
+/// Keys of parameters, each once.
+fn in_order_of_table(named: &[&Parameter]) -> Vec<&'static str> {
+    keys_where(|p| named.iter().any(|other| other.key == p.key))
 }
 
 /// The words of what is on, joined by points.
