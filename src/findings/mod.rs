@@ -4,6 +4,7 @@
 //!
 //! | file | in one line |
 //! |---|---|
+//! | [`equations`] | A and B entry by entry, what they are made of, the characteristic polynomial |
 //! | `existing_range` | the part of a slider's range in which there is such a flight |
 //! | `sensitivities` | how strongly each parameter moves each mode |
 //! | `locus` | the path along which a parameter sends the poles |
@@ -14,6 +15,7 @@
 //! | [`measures`] | the one table of what can be read, by key |
 //! | `frequency` | gain, phase and peaks over frequency |
 
+pub mod equations;
 mod existing_range;
 mod frequency;
 mod locus;
@@ -47,6 +49,7 @@ use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::{Analysis, AnalysisError, Experiment};
 use crate::scenario::{Page, Parameter, Scenario};
 
+pub use equations::Equations;
 pub use frequency::FrequencyResponse;
 pub use metrics::{Extreme, Metrics, OutputMetrics};
 pub use placement::{Obstacle, Placed, PlacementError};
@@ -68,6 +71,7 @@ pub struct Findings {
     flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,
     splits: OfOutputs<Result<ModalDecomposition, SplitError>>,
     frequency: OfOutputs<FrequencyResponse>,
+    equations: OnceCell<Option<Equations>>,
     metrics: OnceCell<Option<Metrics>>,
     time_to_see: OnceCell<Option<f64>>,
     locus: RefCell<Option<locus::Known>>,
@@ -108,6 +112,7 @@ impl Findings {
             flight: OnceCell::new(),
             splits: std::iter::repeat_with(OnceCell::new).take(outputs).collect(),
             frequency: std::iter::repeat_with(OnceCell::new).take(outputs).collect(),
+            equations: OnceCell::new(),
             metrics: OnceCell::new(),
             time_to_see: OnceCell::new(),
             locus: RefCell::default(),
@@ -247,6 +252,12 @@ impl Findings {
     /// The path of the poles along the whole range of a parameter's slider, wherever along it the parameter is.
     pub fn locus(&self, parameter: &'static Parameter) -> Rc<Locus> {
         locus::known_or_found(&mut self.locus.borrow_mut(), &self.scenario, parameter)
+    }
+
+    /// The equations of the plane on screen, as one would write them on a board.
+    pub fn equations(&self) -> Option<&Equations> {
+        let of = |plane| Equations::of(&self.scenario.edited, plane);
+        self.equations.get_or_init(|| self.plane().map(of)).as_ref()
     }
 
     /// Metrics of the motion; `None` where nothing moves.

@@ -18,7 +18,7 @@ pub mod mode_name;
 mod naming;
 mod naming_lateral;
 mod naming_longitudinal;
-mod quartic;
+pub mod quartic;
 pub mod reason;
 mod schur;
 pub mod second_order;

@@ -18,7 +18,7 @@ const FOUND: f64 = 1e-14;
 const SIZES: Range<f64> = 1e-60..1e60;
 
 /// B, C, D, E of the characteristic polynomial λ⁴ + Bλ³ + Cλ² + Dλ + E by principal minors, whose terms are the same in all units.
-pub(super) fn polynomial(a: &Matrix4<f64>) -> [f64; 4] {
+pub fn polynomial(a: &Matrix4<f64>) -> [f64; 4] {
     // The minor of two rows and two columns
     let minor = |[i, j]: [usize; 2], [k, l]: [usize; 2]| a[(i, k)] * a[(j, l)] - a[(i, l)] * a[(j, k)];
     let two = |i, j| minor([i, j], [i, j]);

@@ -17,6 +17,18 @@ const fn lateral(row: Lateral, column: Lateral, sign: f64) -> Place {
     Place::A(Plane::Lateral, row.index(), column.index(), sign)
 }
 
+impl Parameter {
+    /// The entry of A and B that it is: plane, row, column (4 and 5 are those of B), and −1 where its symbol has the other sign; `None`
+    /// for any other parameter.
+    pub fn entry(&self) -> Option<(Plane, usize, usize, f64)> {
+        match self.place {
+            Place::A(plane, row, column, sign) => Some((plane, row, column, sign)),
+            Place::B(plane, row, column) => Some((plane, row, 4 + column, 1.0)),
+            _ => None,
+        }
+    }
+}
+
 pub(super) const ROWS: [Parameter; 33] = [
     Parameter {
         key: "a_uu",
