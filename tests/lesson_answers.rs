@@ -5,9 +5,11 @@ use std::sync::Arc;
 use eigenwing::content::{Aircraft, embedded_aircraft};
 use eigenwing::findings::Findings;
 use eigenwing::lesson::{
-    Comparison, Direction, End, Estimated, Features, Lesson, PlaceCompared, Scene, progress,
+    Answer, Answers, Comparison, Direction, End, Estimated, Features, Lesson, Place, PlaceCompared, Scene,
+    progress,
 };
 use nalgebra::Complex;
+use proptest::prelude::*;
 
 fn aircraft() -> Vec<Arc<Aircraft>> {
     embedded_aircraft().0.into_iter().map(Arc::new).collect()
@@ -93,4 +95,74 @@ fn a_goal_comes_nearer_and_is_met_by_as_few_changes_as_are_allowed() {
     let is_met = |link: &str| task.is_met(&start, &findings(link), &aircraft());
     assert!(is_met("#v=1&ac=navion&cm_alpha=-2"));
     assert!(!is_met("#v=1&ac=navion&cm_alpha=-2&cd=0.06"), "two changes");
+}
+
+const ASKED: &str = "+++\ntitle = \"t\"\n+++\n## s\n```scene\nlink = \"#v=1&ac=navion\"\n```\n```predict\nkind = \"choose\"\n\
+    ask = \"?\"\n[[choice]]\nsays = \"a\"\nbecause = \"b\"\n[[choice]]\nsays = \"c\"\nright = true\n```\n\
+    ```write\nask = \"Explain it.\"\n```\n```task\ngoal = \"g\"\nhints = [\"h\"]\n[[until]]\n\
+    measure = \"short_period.imaginary_part\"\nat_least = \"1.5 × start\"\n```\n";
+
+/// As files of reports have it: once written, read for ever.
+#[test]
+fn what_was_given_is_kept_as_json_and_what_no_longer_fits_the_lesson_is_left_out() {
+    let kept = r#"{"1.1":{"answer":{"chosen":[0]},"final":true,"hints":0,"tries":0,"solution_shown":false,"reached":false},"1.2":{"answer":{"text":"The tail."},"final":false,"hints":0,"tries":0,"solution_shown":false,"reached":false},"1.3":{"final":false,"hints":1,"tries":2,"solution_shown":false,"reached":true}}"#;
+    let answers: Answers = serde_json::from_str(kept).expect("answers");
+    assert_eq!(serde_json::to_string(&answers).expect("JSON"), kept);
+    let lesson = Lesson::read("t.md", ASKED).expect("a lesson");
+    assert_eq!(answers.clone().fitting(&lesson), answers);
+    assert!(answers.get(Place { step: 0, part: 2 }).is_some_and(|given| given.is_unaided()));
+    for (other, left) in [
+        (r#"{"1.1":{"answer":{"chosen":[2]}}}"#, 0),
+        (r#"{"1.1":{"answer":{"number":2.5}}}"#, 0),
+        (r#"{"1.1":{"answer":{"chosen":[0,1]}}}"#, 0),
+        (r#"{"1.1":{"answer":"dont_know","final":true}}"#, 1),
+        (r#"{"1.2":{"answer":{"chosen":[0]}}}"#, 0),
+        (r#"{"9.1":{"hints":1}}"#, 0),
+        (r#"{"1.3":{"hints":99}}"#, 1),
+    ] {
+        let answers: Answers = serde_json::from_str(other).expect("answers");
+        assert_eq!(answers.fitting(&lesson).iter().count(), left, "{other}");
+    }
+    for damaged in [r#"{"0.1":{}}"#, r#"{"1":{}}"#, r#"{"1.1":{"answer":{"number":null}}}"#, "[]", ""] {
+        assert!(serde_json::from_str::<Answers>(damaged).is_err(), "{damaged}");
+    }
+}
+
+#[test]
+fn the_model_says_what_a_question_is_compared_with() {
+    let ask = |block: &str| {
+        let text = format!("+++\ntitle = \"t\"\n+++\n## s\n```scene\nlink = \"#v=1&ac=navion\"\n```\n```predict\nask = \"?\"\n{block}\n```\n");
+        let lesson = Lesson::read("t.md", &text).expect("a lesson");
+        lesson.steps[0].predictions().next().expect("a question").clone()
+    };
+    let start = findings("#v=1&ac=navion");
+    let compare = |block: &str, answer: Answer| {
+        let question = ask(block);
+        let truth = question.truth(&start, &aircraft()).expect("a truth");
+        assert!(answer.fits(&question.kind));
+        truth.compare(&question.kind, &answer)
+    };
+    let place = "kind = \"place\"\nmode = \"short-period\"\nwrong_side = \"w\"\nfar = \"f\"";
+    // Nelson: −2.51 ± 2.59i.
+    let near = Answer::Place { real: -2.5, imaginary: -2.6 };
+    assert!(compare(place, near).is_right());
+    let sketch = "kind = \"sketch\"\noutput = \"theta\"\nfirst = \"a\"\noscillates = \"b\"\nends = \"c\"";
+    let flat = compare(sketch, Answer::Sketch(vec![0.0; 40]));
+    assert!(matches!(flat, Comparison::Sketch { first: false, .. }), "{flat:?}");
+    let estimate = "kind = \"estimate\"\nmeasure = \"short_period.period\"\nwrong_way = \"w\"\nfar = \"f\"";
+    assert_eq!(compare(estimate, Answer::Number(2.42)), Comparison::Number(Estimated::Near));
+    assert_eq!(compare(estimate, Answer::DontKnow), Comparison::DontKnow);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text_is_answers_or_an_error(text in r#"(\{"[0-9]{1,2}\.[0-9]{1,20}":\{("answer":("dont_know"|\{"(chosen|sketch|order)":\[[0-9,]{0,5}\]\}))?\}\}|.*)"#) {
+        if let Ok(answers) = serde_json::from_str::<Answers>(&text) {
+            let lesson = Lesson::read("t.md", ASKED).expect("a lesson");
+            let fitting = answers.fitting(&lesson);
+            prop_assert_eq!(fitting.clone().fitting(&lesson), fitting);
+        }
+    }
 }

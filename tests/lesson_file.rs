@@ -42,6 +42,9 @@ solution = "#v=1&ac=navion&cm_alpha=-4"
 measure = "short_period.imaginary_part"
 at_least = "1.5 × start"
 ```
+```write
+ask = "Explain it to a pilot in *two* sentences."
+```
 "##;
 
 #[test]
@@ -65,6 +68,11 @@ fn a_lesson_is_steps_with_text_questions_and_tasks() {
     assert_eq!(choices.iter().map(|choice| choice.right).collect::<Vec<_>>(), [false, true]);
     let task = faster.tasks().next().expect("a task");
     assert_eq!((task.offer.len(), task.solution_after), (2, SolutionAfter::Tries(2)));
+    let Some(Part::Write(writing)) = faster.parts.last() else { panic!("something to write") };
+    assert_eq!(
+        (writing.ask.plain().as_str(), writing.line),
+        ("Explain it to a pilot in two sentences.", 40)
+    );
 }
 
 /// Each mistake: what is replaced, by what, and the sentence.
@@ -111,6 +119,7 @@ fn each_mistake_has_its_sentence() {
             "becaus",
             "bob.md, line 21: choice.becaus: not a field of this table; expected: says, right, because",
         ),
+        ("ask = \"Explain", "as = \"Explain", "bob.md, line 40: ask: missing; expected a text in quotes"),
         (
             "short_period.period",
             "short_perod.period",

@@ -1,13 +1,15 @@
 //! An answer compared with what the model does.
 
 use nalgebra::Complex;
+use serde::{Deserialize, Serialize};
 
 use super::prediction::Kind;
 use super::sketch::Features;
 use super::text::Text;
 
 /// An answer.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Answer {
     /// "I don't know": an answer like every other.
     DontKnow,
@@ -16,11 +18,37 @@ pub enum Answer {
     /// A number \[SI\].
     Number(f64),
     /// A place on the pole map.
-    Place(Complex<f64>),
-    /// A curve, at equal steps of time.
+    Place {
+        /// Real part \[1/s\].
+        real: f64,
+        /// Imaginary part \[rad/s\].
+        imaginary: f64,
+    },
+    /// A curve, at equal steps of time, in the unit of its output \[SI\].
     Sketch(Vec<f64>),
     /// The things by number, least first.
     Order(Vec<usize>),
+    /// Text in one's own words.
+    Text(String),
+}
+
+impl Answer {
+    /// Whether it can be an answer to a question of this kind: no statement that isn't there, no number that isn't finite.
+    pub fn fits(&self, kind: &Kind) -> bool {
+        match (self, kind) {
+            (Self::DontKnow, _) => true,
+            (Self::Chosen(chosen), Kind::Choose { choices, several }) => {
+                chosen.iter().all(|number| *number < choices.len()) && (*several || chosen.len() <= 1)
+            }
+            (Self::Number(number), Kind::Estimate { .. }) => number.is_finite(),
+            (Self::Place { real, imaginary }, Kind::Place { .. }) => real.is_finite() && imaginary.is_finite(),
+            (Self::Sketch(values), Kind::Sketch { .. }) => values.iter().all(|value| value.is_finite()),
+            (Self::Order(order), Kind::Order { items, .. }) => {
+                order.len() == items.len() && (0..items.len()).all(|number| order.contains(&number))
+            }
+            _ => false,
+        }
+    }
 }
 
 /// How an estimate compares.

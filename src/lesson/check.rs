@@ -57,7 +57,7 @@ impl Check<'_> {
                     self.prediction(prediction, &start);
                 }
                 Part::Task(task) => self.task(task, &start),
-                Part::Text(_) | Part::Reveal(_) => {}
+                Part::Text(_) | Part::Reveal(_) | Part::Write(_) => {}
             }
         }
         step.texts().into_iter().for_each(|text| self.text(text, &start));

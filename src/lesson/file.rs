@@ -7,7 +7,7 @@ use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 use super::scene::Scene;
 use super::step::{Part, Step};
 use super::text::{BLOCKS, OPTIONS, Text};
-use super::{prediction_file, task_file};
+use super::{prediction_file, task_file, writing};
 use crate::content::ContentError;
 use crate::content::reader::{Block, line_of, with_file};
 
@@ -90,8 +90,11 @@ fn with_block<T>(
     part: Range<usize>,
     read: impl FnOnce(&mut Block<'_>) -> Result<T, ContentError>,
 ) -> Result<T, ContentError> {
-    let before = "\n".repeat(line_of(text, part.start) - 1);
+    let first = line_of(text, part.start);
+    let before = "\n".repeat(first - 1);
+    // What is missing is missed at the fence, which is the line before.
     with_file(file, &format!("{before}{}", &text[part]), read)
+        .map_err(|error| ContentError { line: error.line.max(first - 1), ..error })
 }
 
 /// A piece of the file on its own level.
@@ -207,6 +210,9 @@ fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError>
                     }
                     "predict" => step.parts.push(Part::Prediction(with_block(file, text, part, |block| {
                         prediction_file::read(file, line, block)
+                    })?)),
+                    "write" => step.parts.push(Part::Write(with_block(file, text, part, |block| {
+                        writing::read(file, line, block)
                     })?)),
                     _ => {
                         let task = with_block(file, text, part, |block| task_file::read(file, line, block))?;

@@ -12,7 +12,10 @@
 //! | `number` | a number in the text, measured at a scene |
 //! | `prediction` | a question, its kinds and the reasons for wrong answers |
 //! | `prediction_file` | the reader of a question |
+//! | `writing` | something to write in one's own words |
 //! | `answer` | an answer compared with what the model does |
+//! | `truth` | what the model says to a question |
+//! | `given` | what a person has given to a lesson, to be kept |
 //! | `sketch` | what matters of a curve drawn by hand |
 //! | `task` | a goal, what may be used, and its conditions |
 //! | `task_file` | the reader of a task |
@@ -23,6 +26,7 @@
 mod answer;
 mod check;
 mod file;
+mod given;
 mod goal;
 mod number;
 mod prediction;
@@ -34,9 +38,12 @@ mod step;
 mod task;
 mod task_file;
 mod text;
+mod truth;
+mod writing;
 
 pub use answer::{Answer, Comparison, Estimated, PlaceCompared};
 pub use file::Lesson;
+pub use given::{Answers, Given, Place};
 pub use goal::{Progress, progress};
 pub use number::Number;
 pub use prediction::{Choice, Item, Kind, Prediction};
@@ -46,3 +53,5 @@ pub use sketch::{Direction, End, Features};
 pub use step::{Part, Step};
 pub use task::{Amount, Condition, SolutionAfter, Task, Wanted};
 pub use text::{Span, Target, Text, TextBlock, What};
+pub use truth::Truth;
+pub use writing::Writing;

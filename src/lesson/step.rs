@@ -4,6 +4,7 @@ use super::prediction::Prediction;
 use super::scene::Scene;
 use super::task::Task;
 use super::text::Text;
+use super::writing::Writing;
 
 /// A step.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +30,8 @@ pub enum Part {
     Reveal(Text),
     /// Something to do.
     Task(Task),
+    /// Something to write.
+    Write(Writing),
 }
 
 impl Step {
@@ -36,7 +39,7 @@ impl Step {
     pub fn predictions(&self) -> impl Iterator<Item = &Prediction> {
         self.parts.iter().filter_map(|part| match part {
             Part::Prediction(prediction) => Some(prediction),
-            Part::Text(_) | Part::Reveal(_) | Part::Task(_) => None,
+            Part::Text(_) | Part::Reveal(_) | Part::Task(_) | Part::Write(_) => None,
         })
     }
 
@@ -44,7 +47,7 @@ impl Step {
     pub fn tasks(&self) -> impl Iterator<Item = &Task> {
         self.parts.iter().filter_map(|part| match part {
             Part::Task(task) => Some(task),
-            Part::Text(_) | Part::Reveal(_) | Part::Prediction(_) => None,
+            Part::Text(_) | Part::Reveal(_) | Part::Prediction(_) | Part::Write(_) => None,
         })
     }
 
@@ -56,6 +59,7 @@ impl Step {
                 Part::Text(text) | Part::Reveal(text) => vec![text],
                 Part::Prediction(prediction) => prediction.texts(),
                 Part::Task(task) => task.texts(),
+                Part::Write(writing) => vec![&writing.ask],
             })
             .collect()
     }

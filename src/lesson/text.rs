@@ -111,7 +111,7 @@ impl Target {
 }
 
 /// The words after the fence of a block of a lesson.
-pub(super) const BLOCKS: [&str; 4] = ["scene", "predict", "reveal", "task"];
+pub(super) const BLOCKS: [&str; 5] = ["scene", "predict", "reveal", "task", "write"];
 
 /// The options of Markdown that lessons use: none beyond CommonMark.
 pub(super) const OPTIONS: Options = Options::empty();

@@ -10,6 +10,7 @@
 //! | [`disturbance`] | disturbances and their shapes |
 //! | `errors` | why something can't be had: `Display` of the errors |
 //! | [`frequency`] | frequency responses |
+//! | [`lesson`] | what is said of answers to the questions of lessons |
 //! | [`metrics`] | metrics of a motion as a whole |
 //! | [`measure`] | what can be read of a scenario, and why it can't |
 //! | [`mode`] | names of modes |
@@ -30,6 +31,7 @@ pub mod approximation;
 pub mod disturbance;
 mod errors;
 pub mod frequency;
+pub mod lesson;
 pub mod measure;
 pub mod metrics;
 pub mod mode;

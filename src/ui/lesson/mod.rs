@@ -1,8 +1,12 @@
 //! A lesson beside the scene: one step at a time, which asks before it shows.
 
+mod choose;
+mod estimate;
+mod order;
 mod question;
 mod task;
 mod text;
+mod write;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -14,10 +18,11 @@ use super::theme::{self, Palette};
 use crate::content::lessons::{GLOSSARY, LESSONS, REFERENCES};
 use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
-use crate::lesson::{Lesson, Part, Shelf, Step};
-use question::{Given, question_ui};
-use task::{Tried, task_ui};
+use crate::lesson::{Answers, Lesson, Part, Place, Shelf, Step};
+use question::{Asked, question_ui};
+use task::task_ui;
 use text::text_ui;
+use write::write_ui;
 
 /// A lesson that is open: where the person is in it, and what they have answered.
 #[derive(Debug)]
@@ -27,10 +32,10 @@ pub struct Session {
     step: usize,
     /// The scene of the step as it was at its start.
     start: Rc<Findings>,
-    /// Answers, by step and part.
-    given: BTreeMap<(usize, usize), Given>,
-    /// Hints and solutions that were asked for, likewise.
-    tried: BTreeMap<(usize, usize), Tried>,
+    /// Answers, and what help was asked for.
+    given: Answers,
+    /// Questions that have been on screen.
+    asked: BTreeMap<Place, Asked>,
 }
 
 /// What a person asks for in the pane of a lesson.
@@ -54,7 +59,18 @@ impl Session {
     fn read(file: &str, text: &str, aircraft: &[Arc<Aircraft>]) -> Result<Self, ContentError> {
         let (lesson, shelf) = (Lesson::read(file, text)?, Shelf::read(GLOSSARY, REFERENCES)?);
         let start = Rc::new(start_of(lesson.steps.first(), aircraft)?);
-        Ok(Self { lesson, shelf, step: 0, start, given: BTreeMap::new(), tried: BTreeMap::new() })
+        Ok(Self { lesson, shelf, step: 0, start, given: Answers::default(), asked: BTreeMap::new() })
+    }
+
+    /// What was given to it so far.
+    pub fn given(&self) -> &Answers {
+        &self.given
+    }
+
+    /// Takes up what was given before; what doesn't fit the lesson is left out.
+    pub fn take_up(&mut self, given: Answers) {
+        self.given = given.fitting(&self.lesson);
+        self.asked.clear();
     }
 
     /// The link of the step's scene.
@@ -119,13 +135,13 @@ pub fn lesson_ui(
     // What comes after a question is shown once it has its answer.
     let mut is_open = true;
     for (place, part) in step.parts.iter().enumerate() {
-        let key = (index, place);
+        let at = Place { step: index, part: place };
         match part {
             Part::Text(text) => wish = text_ui(ui, text, context).or(wish),
             Part::Prediction(prediction) => {
-                let given = session.given.entry(key).or_default();
-                ui.push_id(key, |ui| question_ui(ui, prediction, given, context));
-                is_open &= given.is_answered();
+                let (given, asked) = (session.given.at(at), session.asked.entry(at).or_default());
+                ui.push_id(at, |ui| question_ui(ui, prediction, given, asked, context));
+                is_open &= given.is_final;
             }
             Part::Reveal(text) if is_open => {
                 let frame = Frame::new().fill(palette.stable_half).corner_radius(8).inner_margin(8);
@@ -133,9 +149,13 @@ pub fn lesson_ui(
             }
             Part::Reveal(_) => {}
             Part::Task(task) => {
-                let tried = session.tried.entry(key).or_default();
-                let asked = ui.push_id(key, |ui| task_ui(ui, task, tried, now, context)).inner;
+                let given = session.given.at(at);
+                let asked = ui.push_id(at, |ui| task_ui(ui, task, given, now, context)).inner;
                 wish = asked.or(wish);
+            }
+            Part::Write(writing) => {
+                let given = session.given.at(at);
+                ui.push_id(at, |ui| write_ui(ui, writing, given, context));
             }
         }
         ui.add_space(6.0);

@@ -1,195 +1,106 @@
 //! A question: what was answered, and what is said of it.
 
-use egui::{Button, RichText, TextEdit, Ui};
+use egui::{Button, Color32, RichText, Ui};
 
+use super::choose::choose_ui;
+use super::estimate::{Typed, estimate_ui};
+use super::order::order_ui;
 use super::text::{Context, text_ui};
-use crate::findings::Findings;
-use crate::findings::measures::{Measure, Reading};
-use crate::lesson::{Comparison, Estimated, Item, Kind, Prediction};
-use crate::ui::symbol::prose;
+use crate::lesson::{Answer, Comparison, Estimated, Given, Kind, PlaceCompared, Prediction, Truth};
 use crate::ui::theme::{self, Palette};
-use crate::words;
 
-/// What a person has answered, or is about to.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Given {
-    /// Numbers of the statements that are chosen.
-    chosen: Vec<usize>,
-    /// The number as it is typed.
-    typed: String,
-    /// Numbers of the things in their order.
-    order: Vec<usize>,
-    /// What the answer was compared with, once it was given.
-    outcome: Option<Comparison>,
+/// A question on screen: what of it is found or typed already.
+#[derive(Debug, Default)]
+pub struct Asked {
+    /// What the model says, once it is needed.
+    truth: Option<Option<Truth>>,
+    /// A number as it is being typed.
+    typed: Typed,
 }
 
-impl Given {
-    /// Whether it has been answered.
-    pub fn is_answered(&self) -> bool {
-        self.outcome.is_some()
+impl Asked {
+    fn truth(&mut self, prediction: &Prediction, context: Context<'_>) -> Option<Truth> {
+        self.truth.get_or_insert_with(|| prediction.truth(context.start, context.aircraft)).clone()
     }
 }
 
-/// Draws a question with its answer, and once that is given what is to be said of it.
-pub fn question_ui(ui: &mut Ui, prediction: &Prediction, given: &mut Given, context: Context<'_>) {
-    let palette = Palette::of(ui);
+/// Draws a question with its answer, and once that is final what is to be said of it.
+pub fn question_ui(
+    ui: &mut Ui,
+    prediction: &Prediction,
+    given: &mut Given,
+    asked: &mut Asked,
+    context: Context<'_>,
+) {
     ui.scope(|ui| {
         text_ui(ui, &prediction.ask, context);
     });
-    let answered = given.is_answered();
-    let mut answer = None;
+    let truth = if given.is_final { asked.truth(prediction, context) } else { None };
     match &prediction.kind {
-        Kind::Choose { choices, several } => {
-            for (number, choice) in choices.iter().enumerate() {
-                let mark = match (answered, choice.right) {
-                    (false, _) => "",
-                    (true, true) => "✓ ",
-                    (true, false) => "✗ ",
-                };
-                let is_chosen = given.chosen.contains(&number);
-                let color = if is_chosen { ui.visuals().selection.stroke.color } else { palette.text };
-                let says = prose(&format!("{mark}{}", choice.says.plain()), theme::body(), color);
-                let button = Button::selectable(is_chosen, says).frame_when_inactive(true).wrap();
-                if ui.add(button).clicked() && !answered {
-                    if *several && is_chosen {
-                        given.chosen.retain(|other| *other != number);
-                    } else if *several {
-                        given.chosen.push(number);
-                    } else {
-                        given.chosen = vec![number];
-                    }
-                }
-            }
-            if answer_ui(ui, answered, !given.chosen.is_empty(), given) {
-                answer = Some(Comparison::of_choice(&prediction.kind, &given.chosen));
-            }
-        }
+        Kind::Choose { choices, several } => choose_ui(ui, choices, *several, given),
         Kind::Estimate { measure, .. } => {
-            let length = context.start.scenario().aircraft.length_unit;
-            let unit = measure.dimension();
-            ui.horizontal(|ui| {
-                let field = TextEdit::singleline(&mut given.typed).desired_width(90.0).interactive(!answered);
-                let name = format!("Your estimate: {}", words::measure::name(*measure));
-                ui.add(field).accessible_name(name);
-                ui.label(unit.symbol(length));
-            });
-            let number = given.typed.trim().replace(',', ".").replace('−', "-").parse::<f64>().ok();
-            let number = number.filter(|number| number.is_finite());
-            if !given.typed.trim().is_empty() && number.is_none() {
-                let problem = format!("“{}” is not a number; type one such as 2.5", given.typed.trim());
-                ui.label(RichText::new(problem).font(theme::small()).color(palette.bad));
-            }
-            if answer_ui(ui, answered, number.is_some(), given)
-                && let (Some(number), Some(found)) = (number, found(prediction, *measure, context))
-            {
-                let before = prediction.after.as_ref().and_then(|_| read(*measure, context.start));
-                answer = Some(Comparison::of_number(number * unit.in_si(length), found, before));
-            }
+            estimate_ui(ui, *measure, given, &mut asked.typed, truth.as_ref(), context);
         }
         Kind::Order { items, measure, .. } => {
-            if given.order.len() != items.len() {
-                given.order = (0..items.len()).collect();
-            }
-            order_ui(ui, items, &mut given.order, answered);
-            if answer_ui(ui, answered, true, given) {
-                let value = |item: &Item| {
-                    let there = item.scene.open(context.aircraft)?;
-                    read(*measure, &Findings::of(there.scenario))
-                };
-                let values: Option<Vec<f64>> = items.iter().map(value).collect();
-                answer = values.map(|values| Comparison::of_order(&given.order, &values));
-            }
+            order_ui(ui, items, *measure, given, truth.as_ref(), context);
         }
         Kind::Place { .. } | Kind::Sketch { .. } => {
             ui.label("Think of an answer, or draw it on paper, before you go on.");
-            if answer_ui(ui, answered, false, given) {
-                answer = Some(Comparison::DontKnow);
-            }
         }
     }
-    given.outcome = given.outcome.take().or(answer);
-    if let Some(outcome) = &given.outcome {
-        let (verdict, color) = said(outcome, palette);
-        let found = match &prediction.kind {
-            Kind::Estimate { measure, .. } => found(prediction, *measure, context).map(|found| {
-                words::measure::number(
-                    measure.dimension(),
-                    found,
-                    context.start.scenario().aircraft.length_unit,
-                )
-            }),
-            _ => None,
-        };
-        let sentence = match found {
-            Some(found) => format!("{verdict} It is {found}."),
-            None => verdict.to_owned(),
-        };
-        ui.label(RichText::new(sentence).font(theme::semibold(theme::body().size)).color(color));
-        for reason in outcome.reasons(&prediction.kind) {
-            text_ui(ui, reason, context);
-        }
+    if given.is_final {
+        outcome_ui(ui, prediction, given, truth.as_ref(), context);
+    } else {
+        buttons_ui(ui, given);
     }
 }
 
-/// The buttons below a question. Says whether it is answered now; "I don't know" is an answer too.
-fn answer_ui(ui: &mut Ui, answered: bool, can: bool, given: &mut Given) -> bool {
-    if answered {
-        return false;
-    }
+/// The buttons below a question; "I don't know" is an answer too.
+fn buttons_ui(ui: &mut Ui, given: &mut Given) {
     ui.horizontal(|ui| {
-        let answer = ui.add_enabled(can, Button::new("Answer")).clicked();
-        if ui.button("I don’t know").clicked() {
-            given.outcome = Some(Comparison::DontKnow);
+        let can = given.answer.is_some();
+        if ui.add_enabled(can, Button::new("Answer")).clicked() {
+            given.is_final = true;
         }
-        answer
-    })
-    .inner
+        if ui.button("I don’t know").clicked() {
+            given.answer(Answer::DontKnow);
+        }
+    });
 }
 
-/// Things in an order that a person changes by moving one up.
-fn order_ui(ui: &mut Ui, items: &[Item], order: &mut [usize], answered: bool) {
-    let mut up = None;
-    for (place, &number) in order.iter().enumerate() {
-        let Some(item) = items.get(number) else { continue };
-        ui.horizontal(|ui| {
-            let says = item.says.plain();
-            let button = Button::new("↑");
-            let can = place > 0 && !answered;
-            if ui.add_enabled(can, button).accessible_name(format!("Move “{says}” up")).clicked() {
-                up = Some(place);
-            }
-            ui.label(format!("{}. {says}", place + 1));
-        });
-    }
-    if let Some(place) = up {
-        order.swap(place - 1, place);
+/// What is said of an answer: whether it is right, and the reasons that fit what is wrong with it.
+fn outcome_ui(
+    ui: &mut Ui,
+    prediction: &Prediction,
+    given: &Given,
+    truth: Option<&Truth>,
+    context: Context<'_>,
+) {
+    let (Some(answer), Some(truth)) = (given.final_answer(), truth) else {
+        ui.label("There is nothing to compare it with at this scene.");
+        return;
+    };
+    let outcome = truth.compare(&prediction.kind, answer);
+    let (verdict, color) = said(&outcome, Palette::of(ui));
+    ui.label(RichText::new(verdict).font(theme::semibold(theme::body().size)).color(color));
+    for reason in outcome.reasons(&prediction.kind) {
+        text_ui(ui, reason, context);
     }
 }
 
 /// What an answer is, in a sentence, and the colour that it is told in.
-fn said(outcome: &Comparison, palette: &'static Palette) -> (&'static str, egui::Color32) {
+fn said(outcome: &Comparison, palette: &'static Palette) -> (&'static str, Color32) {
     match outcome {
         Comparison::DontKnow => ("Now you can find out.", palette.text),
         Comparison::Number(Estimated::Near) => ("Within 10 %.", palette.good),
         Comparison::Number(Estimated::RightOrder) => ("The right order.", palette.warning),
         Comparison::Number(Estimated::Far) => ("The right way, but far.", palette.warning),
         Comparison::Number(Estimated::WrongWay) => ("The other way.", palette.bad),
+        Comparison::Place(PlaceCompared::Near) => ("That is the place.", palette.good),
+        Comparison::Place(PlaceCompared::RightRegion) => ("The right region.", palette.warning),
+        Comparison::Place(PlaceCompared::Far) => ("The right side, but far.", palette.warning),
+        Comparison::Place(PlaceCompared::WrongSide) => ("The other side.", palette.bad),
         outcome if outcome.is_right() => ("That is right.", palette.good),
         _ => ("Not so.", palette.bad),
-    }
-}
-
-/// What the measure of a question is where its answer is.
-fn found(prediction: &Prediction, measure: Measure, context: Context<'_>) -> Option<f64> {
-    match &prediction.after {
-        Some(scene) => read(measure, &Findings::of(scene.open(context.aircraft)?.scenario)),
-        None => read(measure, context.start),
-    }
-}
-
-fn read(measure: Measure, findings: &Findings) -> Option<f64> {
-    match measure.read(findings) {
-        Ok(Reading::Number(number)) => Some(number),
-        Ok(Reading::Stability(_) | Reading::Level(_)) | Err(_) => None,
     }
 }

@@ -5,21 +5,15 @@ use egui::{ProgressBar, RichText, Ui};
 use super::Wish;
 use super::text::{Context, text_ui};
 use crate::findings::Findings;
-use crate::lesson::{Condition, Progress, SolutionAfter, Task, Wanted, progress};
+use crate::lesson::{Condition, Given, Progress, SolutionAfter, Task, Wanted, progress};
 use crate::ui::theme::{self, Palette};
 use crate::words;
-
-/// What help has been asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tried {
-    hints: usize,
-}
 
 /// Draws a task; gives its solution as a scene, if the person asks for it.
 pub fn task_ui(
     ui: &mut Ui,
     task: &Task,
-    tried: &mut Tried,
+    given: &mut Given,
     now: &Findings,
     context: Context<'_>,
 ) -> Option<Wish> {
@@ -39,14 +33,14 @@ pub fn task_ui(
         let done = RichText::new("✓ Done").font(theme::semibold(theme::sizes(ui).value));
         ui.label(done.color(palette.good));
     }
-    for hint in task.hints.iter().take(tried.hints) {
+    for hint in task.hints.iter().take(given.hints) {
         wish = text_ui(ui, hint, context).or(wish);
     }
     ui.horizontal_wrapped(|ui| {
-        if tried.hints < task.hints.len() && ui.button("Give me a hint").clicked() {
-            tried.hints += 1;
+        if given.hints < task.hints.len() && ui.button("Give me a hint").clicked() {
+            given.hints += 1;
         }
-        let may_see = task.solution_after != SolutionAfter::Never && tried.hints == task.hints.len();
+        let may_see = task.solution_after != SolutionAfter::Never && given.hints == task.hints.len();
         if let Some(solution) = task.solution.as_ref().filter(|_| may_see)
             && ui.button("Show a solution").clicked()
         {

@@ -1,0 +1,67 @@
+//! A question for a number.
+
+use egui::{Key, RichText, TextEdit, Ui};
+
+use super::text::Context;
+use crate::findings::measures::Measure;
+use crate::lesson::{Answer, Given, Truth};
+use crate::number::significant;
+use crate::ui::theme::{self, Palette};
+use crate::words;
+
+/// A number as it is being typed; `None` where nothing has been typed yet.
+pub type Typed = Option<String>;
+
+/// Draws the field; once the answer is final, what was said beside what it is.
+pub fn estimate_ui(
+    ui: &mut Ui,
+    measure: Measure,
+    given: &mut Given,
+    typed: &mut Typed,
+    truth: Option<&Truth>,
+    context: Context<'_>,
+) {
+    let length = context.start.scenario().aircraft.length_unit;
+    let (dimension, in_si) = (measure.dimension(), measure.dimension().in_si(length));
+    let in_words = |number: f64| words::measure::number(dimension, number, length);
+    if given.is_final {
+        let Some(Truth::Number { found, .. }) = truth else { return };
+        let found_in_words = in_words(*found);
+        let sentence = match given.answer {
+            Some(Answer::Number(said)) => {
+                let factor = words::lesson::factor(said, *found);
+                format!("You said {}; it is {found_in_words}{factor}.", in_words(said))
+            }
+            _ => format!("It is {found_in_words}."),
+        };
+        ui.label(sentence);
+        return;
+    }
+    let text = typed.get_or_insert_with(|| match given.answer {
+        Some(Answer::Number(number)) => significant(number / in_si, 6),
+        _ => String::new(),
+    });
+    ui.horizontal(|ui| {
+        let field = TextEdit::singleline(text).desired_width(90.0).char_limit(32);
+        let name = format!("Your estimate: {}", words::measure::name(measure));
+        let response = ui.add(field).accessible_name(name);
+        theme::focus_frame(ui, &response);
+        ui.label(dimension.symbol(length));
+        if response.changed() {
+            given.answer = read(text).map(|number| Answer::Number(number * in_si));
+        }
+        if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+            given.is_final = given.answer.is_some();
+        }
+    });
+    if !text.trim().is_empty() && given.answer.is_none() {
+        let problem = format!("“{}” is not a number; type one such as 2.5", text.trim());
+        ui.label(RichText::new(problem).font(theme::small()).color(Palette::of(ui).bad));
+    }
+}
+
+/// A number as people write it: with a decimal comma or point, and any minus.
+fn read(text: &str) -> Option<f64> {
+    let text = text.trim().replace(',', ".").replace('−', "-");
+    text.parse().ok().filter(|number: &f64| number.is_finite())
+}
