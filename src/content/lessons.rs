@@ -1,8 +1,9 @@
 //! The lessons that ship, as text; `lesson` reads them.
 
 /// Lessons: name of the file and text, in the order in which they are offered.
-pub const LESSONS: [(&str, &str); 4] = [
+pub const LESSONS: [(&str, &str); 5] = [
     ("frames.md", include_str!("../../assets/lessons/frames.md")),
+    ("forces.md", include_str!("../../assets/lessons/forces.md")),
     ("longitudinal.md", include_str!("../../assets/lessons/longitudinal.md")),
     ("lateral.md", include_str!("../../assets/lessons/lateral.md")),
     ("hangar.md", include_str!("../../assets/lessons/hangar.md")),
