@@ -221,7 +221,7 @@ proptest! {
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
             .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
-                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type"]).collect();
+                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type", "lesson", "step"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
@@ -511,6 +511,9 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
         "lock" => opened.view.stage.locks().iter().map(|lock| lock.key()).collect::<Vec<_>>().join("."),
         "locked" => opened.view.stage.locked.join("."),
         "type" => opened.view.stage.type_size.to_string(),
+        "lesson" => opened.lesson.as_ref().map_or("none", |place| &place.address).to_owned(),
+        "step" => opened.lesson.as_ref().map_or(0, |place| place.step + 1).to_string(),
+        "begins" => opened.lesson.as_ref().is_some_and(|place| place.begins).to_string(),
         "camera" => {
             let Camera { azimuth, elevation, distance } = flight.camera;
             let standard = StandardView::ALL.into_iter().find(|view| view.camera() == flight.camera);

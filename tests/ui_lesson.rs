@@ -2,11 +2,14 @@
 
 mod page;
 
+use std::path::Path;
+use std::sync::Arc;
+
 use egui::Vec2;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::scenario::Parameter;
-use page::{PHONE, Page, WIDE, page, type_into};
+use page::{PHONE, Page, WIDE, app, open, page, type_into};
 
 fn click(harness: &mut Page, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click_accesskit();
@@ -130,4 +133,80 @@ fn a_task_offers_its_own_sliders() {
         }
     }
     assert_eq!(offers, 1);
+}
+
+/// A file as a browser drops it on the page.
+#[derive(Debug)]
+struct Dropped(&'static str, Vec<u8>);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        Path::new(self.0)
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Ok(self.1.clone())
+    }
+}
+
+fn drop_file(harness: &mut Page, name: &'static str, bytes: &[u8]) {
+    harness.input_mut().dropped_files.push(Arc::new(Dropped(name, bytes.to_vec())));
+    harness.run();
+}
+
+/// A lesson that an instructor may have written.
+const OWN: &str = r##"+++
+title = "Of my own"
++++
+## One question
+```scene
+link = "#v=1&ac=x15"
+```
+A word of the course: [phugoid](glossary:phugoid).
+```predict
+kind = "choose"
+ask = "Is it fast?"
+[[choice]]
+says = "Yes"
+right = true
+[[choice]]
+says = "No"
+because = "It is."
+```
+"##;
+
+#[test]
+fn a_lesson_that_is_dropped_on_the_page_opens_and_one_with_a_fault_says_where() {
+    for size in [WIDE, Vec2::new(1000.0, 800.0), PHONE] {
+        let mut harness = page(size);
+        drop_file(&mut harness, "own.md", OWN.as_bytes());
+        harness.get_by_label_contains("Is it fast?");
+        assert_eq!(app(&harness).scenario().aircraft.key, "x15", "its scene is on screen");
+        assert!(!app(&harness).link().contains("lesson"), "nobody else has this file");
+        let faulty = OWN.replace("says = \"No\"", "sais = \"No\"");
+        drop_file(&mut harness, "own.md", faulty.as_bytes());
+        let told = harness.get_by_label_contains("own.md").accesskit_node().value().unwrap_or_default();
+        assert!(told.contains("own.md, line 15: choice.says"), "{told}");
+        drop_file(&mut harness, "photo.md", &[0xff, 0xfe, 0x00]);
+        assert_eq!(count(&harness, "“photo.md” is no text file"), 1, "{size}");
+        drop_file(&mut harness, "numbers.csv", b"1,2");
+        assert_eq!(count(&harness, "expected a lesson, a file that ends with .md"), 1, "{size}");
+        click(&mut harness, "Close the lesson");
+        assert_eq!(count(&harness, "expected a lesson"), 0, "{size}");
+    }
+}
+
+#[test]
+fn a_link_leads_to_a_step_of_a_lesson_with_its_scene_or_with_one_of_its_own() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "#v=1&lesson=longitudinal&step=4");
+    harness.get_by_label("Step 4 of 7");
+    assert!(app(&harness).link().ends_with("&lesson=longitudinal&step=4"), "{}", app(&harness).link());
+    open(&mut harness, "#v=1&ac=x15&lesson=longitudinal&step=2");
+    harness.get_by_label("Step 2 of 7");
+    assert_eq!(app(&harness).scenario().aircraft.key, "x15", "the link's own scene");
+    open(&mut harness, "#v=1&ac=navion&lesson=longitudinal&step=99");
+    harness.get_by_label("Step 7 of 7");
+    open(&mut harness, "#v=1&ac=navion&lesson=gliding");
+    harness.get_by_label_contains("There is no lesson “gliding”.");
 }

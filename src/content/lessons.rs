@@ -1,17 +1,35 @@
-//! The lessons that ship, as text; `lesson` reads them.
+//! The files of the course. In a browser they are fetched when a person asks for them, so that the first load is without them;
+//! elsewhere they are part of the build.
 
-/// Lessons: name of the file and text, in the order in which they are offered.
-pub const LESSONS: [(&str, &str); 6] = [
-    ("frames.md", include_str!("../../assets/lessons/frames.md")),
-    ("forces.md", include_str!("../../assets/lessons/forces.md")),
-    ("longitudinal.md", include_str!("../../assets/lessons/longitudinal.md")),
-    ("lateral.md", include_str!("../../assets/lessons/lateral.md")),
-    ("workshop.md", include_str!("../../assets/lessons/workshop.md")),
-    ("hangar.md", include_str!("../../assets/lessons/hangar.md")),
-];
+use super::TextFile;
 
-/// The glossary of all lessons.
-pub const GLOSSARY: &str = include_str!("../../assets/lessons/glossary.toml");
+/// Names of the files, and outside a browser their texts.
+macro_rules! files {
+    ($($name:literal),* $(,)?) => {
+        /// Names of the files: lessons in the order in which they are offered, the glossary, the references.
+        pub const NAMES: &[&str] = &[$($name),*];
 
-/// The references of all lessons.
-pub const REFERENCES: &str = include_str!("../../assets/lessons/references.toml");
+        /// The files as they were built in; `None` in a browser.
+        #[cfg(not(target_arch = "wasm32"))]
+        pub fn built_in() -> Option<Vec<TextFile>> {
+            Some(vec![$(TextFile::new($name, include_str!(concat!("../../assets/lessons/", $name)))),*])
+        }
+    };
+}
+
+files! {
+    "frames.md",
+    "forces.md",
+    "longitudinal.md",
+    "lateral.md",
+    "workshop.md",
+    "hangar.md",
+    "glossary.toml",
+    "references.toml",
+}
+
+/// The files as they were built in; `None` in a browser.
+#[cfg(target_arch = "wasm32")]
+pub fn built_in() -> Option<Vec<TextFile>> {
+    None
+}

@@ -10,10 +10,12 @@ mod published;
 pub(crate) mod reader;
 mod shape_file;
 pub mod shapes;
+mod text_file;
 mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};
 pub use matrix::MatrixFormat;
+pub use text_file::{NotText, TextFile};
 
 /// The files in the order of the chooser. To add an aircraft, add its file and its line.
 pub const FILES: [(&str, &str); 18] = [

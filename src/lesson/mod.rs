@@ -21,10 +21,12 @@
 //! | `task_file` | the reader of a task |
 //! | `goal` | conditions judged on a scene, with how near they are |
 //! | `shelf` | the glossary and the references |
+//! | `course` | lessons in their order, with what they share |
 //! | `check` | the proof that a lesson holds what it promises |
 
 mod answer;
 mod check;
+mod course;
 mod file;
 mod given;
 mod goal;
@@ -42,6 +44,7 @@ mod truth;
 mod writing;
 
 pub use answer::{Answer, Comparison, Estimated, PlaceCompared};
+pub use course::Course;
 pub use file::Lesson;
 pub use given::{Answers, Given, Place};
 pub use goal::{Progress, progress};

@@ -28,5 +28,5 @@ mod symbol;
 mod theme;
 mod top_bar;
 
-pub use app::App;
+pub use app::{App, FileRequest};
 pub use palette::Look;

@@ -1,6 +1,7 @@
 //! The browser: starting on the page's canvas, telling the page how it went, the address bar, the JavaScript handle.
 
 mod address;
+mod files;
 mod look;
 
 use std::any::Any;
@@ -11,6 +12,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Event, HtmlCanvasElement};
 
 use address::AddressBar;
+use files::Files;
 use look::KeptLook;
 
 use crate::export;
@@ -47,11 +49,12 @@ async fn run() -> Result<(), JsValue> {
         let mut app = App::new(&cc.egui_ctx)?;
         let address = AddressBar::start(&mut app);
         let look = KeptLook::start(&cc.egui_ctx);
+        app.can_pick_files();
         if reduced_motion {
             cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
         }
         cc.egui_ctx.add_plugin(egui_dom_mirror::Mirror);
-        Ok(Box::new(Page { app, address, look, frames: 0 }))
+        Ok(Box::new(Page { app, address, files: Files::default(), look, frames: 0 }))
     });
     runner.start(canvas, WebOptions::default(), create).await
 }
@@ -83,6 +86,7 @@ fn failed(sentence: &str) {
 struct Page {
     app: App,
     address: AddressBar,
+    files: Files,
     look: KeptLook,
     frames: u32,
 }
@@ -96,7 +100,9 @@ impl Page {
 impl eframe::App for Page {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.address.read(&mut self.app);
+        self.files.deliver(&mut self.app);
         self.app.ui(ui);
+        self.files.fetch(ui, &mut self.app);
         self.address.follow(ui, &self.app);
         self.look.follow(ui);
         if let Some(sentence) = self.app.take_unsaid() {

@@ -10,6 +10,7 @@
 //! * `pin.` before a key belongs to the pinned state, whose disturbance is always that of the scene.
 //! * Reading is total. What can't be used is left out, and a [`Notice`] says so.
 
+mod lesson_place;
 mod notice;
 mod number;
 mod pieces;
@@ -18,6 +19,7 @@ mod words;
 
 use std::sync::Arc;
 
+pub use lesson_place::LessonPlace;
 pub use notice::Notice;
 pub use pieces::LONGEST;
 
@@ -41,6 +43,8 @@ pub struct Opened {
     pub pinned: Option<Scenario>,
     /// How it is looked at.
     pub view: View,
+    /// The lesson that is open beside it.
+    pub lesson: Option<LessonPlace>,
     /// The parts that were left out, and why.
     pub notices: Vec<Notice>,
 }
@@ -123,6 +127,7 @@ fn unit(parameter: &Parameter) -> f64 {
 /// Opens a link, with or without its `#` and what stands before that; `None` only without a single aircraft.
 pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
     let mut pieces = Pieces::split(link);
+    let lesson = LessonPlace::read(&mut pieces);
     read_version(&mut pieces);
     let mut scenario = Scenario::new(aircraft.first()?.clone());
     match pieces.take("ac") {
@@ -144,7 +149,7 @@ pub fn read(link: &str, aircraft: &[Arc<Aircraft>]) -> Option<Opened> {
     read_disturbance(&mut pieces, &mut scenario);
     let pinned = read_pinned(&mut pieces, &scenario, aircraft);
     let view = View::read(&mut pieces, &scenario);
-    Some(Opened { scenario, pinned, view, notices: pieces.finish() })
+    Some(Opened { scenario, pinned, view, lesson, notices: pieces.finish() })
 }
 
 fn read_version(pieces: &mut Pieces) {

@@ -102,6 +102,11 @@ impl Pieces {
         self.rest.iter().any(|(key, _)| key.starts_with(prefix))
     }
 
+    /// Whether there is a key beside these.
+    pub fn has_other_than(&self, keys: &[&str]) -> bool {
+        self.rest.iter().any(|(key, _)| !keys.contains(&key.as_str()))
+    }
+
     /// The notices of what was found wrong, and of what is left over.
     pub fn finish(mut self) -> Vec<Notice> {
         let unknown = self.rest.iter().map(|(key, _)| Notice::Unknown { key: quoted(key) });

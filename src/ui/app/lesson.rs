@@ -1,11 +1,14 @@
 //! The lesson that is open beside the scene, and what it does to the scene.
 
-use egui::{ScrollArea, Ui};
+use egui::{Button, RichText, ScrollArea, Ui};
 
-use super::{App, PhonePane};
+use super::course::{CourseState, FileRequest, LessonPane};
+use super::App;
 use crate::scenario::Stage;
+use crate::scenario::link::LessonPlace;
 use crate::ui::finger;
-use crate::ui::lesson::{Session, Wish, lesson_ui, lessons_sheet_ui};
+use crate::ui::lesson::{Chosen, Offer, Session, Wish, lesson_ui, lessons_sheet_ui};
+use crate::ui::theme::{self, Palette};
 
 impl App {
     /// The sheet of lessons, where it is open.
@@ -13,27 +16,50 @@ impl App {
         if !self.panes.lessons {
             return;
         }
-        let (chosen, wanted) = lessons_sheet_ui(ui);
-        self.panes.lessons = wanted;
-        let session = chosen.and_then(|file| Session::open(file, &self.aircraft));
-        match session {
-            Some(Ok(session)) => {
-                self.panes.lesson = Some(session);
-                self.panes.phone_pane = PhonePane::Lesson;
-                self.open_step();
-                ui.request_repaint();
+        let course = self.course();
+        let offer = match (&course, &self.panes.course) {
+            (Some(course), _) => Offer::Course(course),
+            (None, CourseState::Missing(reason)) => Offer::Missing(reason),
+            (None, _) => Offer::Coming,
+        };
+        let (chosen, wanted) = lessons_sheet_ui(ui, &offer, self.panes.can_pick);
+        self.panes.lessons = wanted && chosen.is_none();
+        match chosen {
+            Some(Chosen::Lesson(key)) => {
+                self.want_lesson(LessonPlace { address: key, step: 0, begins: true });
             }
-            Some(Err(error)) => self.content_errors.push(error),
-            None => {}
+            Some(Chosen::File) => self.panes.file_requests.push(FileRequest::Pick),
+            Some(Chosen::Again) => {
+                self.panes.course = CourseState::Unwanted;
+                self.panes.lessons = true;
+            }
+            None => return,
+        }
+        ui.request_repaint();
+    }
+
+    /// Whether the pane of a lesson is on screen.
+    pub(super) fn has_lesson(&self) -> bool {
+        !matches!(self.panes.lesson, LessonPane::Closed)
+    }
+
+    /// Where the person is in a lesson that a link can lead to.
+    pub(super) fn lesson_place(&self) -> Option<LessonPlace> {
+        match &self.panes.lesson {
+            LessonPane::Open(session) => session.place(),
+            LessonPane::Coming { place, .. } => Some(place.clone()),
+            LessonPane::Closed | LessonPane::Faulty(_) => None,
         }
     }
 
-    /// Whether a lesson is open.
-    pub(super) fn has_lesson(&self) -> bool {
-        self.panes.lesson.is_some()
+    fn session(&self) -> Option<&Session> {
+        match &self.panes.lesson {
+            LessonPane::Open(session) => Some(session),
+            _ => None,
+        }
     }
 
-    /// The step of the lesson that is open.
+    /// The pane of the lesson.
     pub(super) fn lesson_ui(&mut self, ui: &mut Ui) {
         let area = ScrollArea::vertical().auto_shrink(false);
         finger::scroll_area_ui(ui, "lesson", area, |ui| self.step_ui(ui));
@@ -41,12 +67,23 @@ impl App {
 
     /// The same without a scroll area of its own.
     pub(super) fn step_ui(&mut self, ui: &mut Ui) {
-        let Some(session) = &mut self.panes.lesson else { return };
-        match lesson_ui(ui, session, &self.findings, &self.aircraft) {
+        let wish = match &mut self.panes.lesson {
+            LessonPane::Closed => None,
+            LessonPane::Coming { .. } => {
+                ui.label("The lesson is on its way.");
+                None
+            }
+            LessonPane::Open(session) => lesson_ui(ui, session, &self.findings, &self.aircraft),
+            LessonPane::Faulty(sentences) => faults_ui(ui, sentences),
+        };
+        match wish {
             Some(Wish::Step) => self.open_step(),
             Some(Wish::Scene(link)) => self.open_scene(&link),
+            Some(Wish::Lesson(address)) => {
+                self.want_lesson(LessonPlace { address, step: 0, begins: true });
+            }
             Some(Wish::Close) => {
-                self.panes.lesson = None;
+                self.panes.lesson = LessonPane::Closed;
                 self.view.stage = Stage::default();
             }
             None => return,
@@ -55,8 +92,8 @@ impl App {
     }
 
     /// Opens the scene of the step, with the sliders that its task offers.
-    fn open_step(&mut self) {
-        let Some(session) = &self.panes.lesson else { return };
+    pub(super) fn open_step(&mut self) {
+        let Some(session) = self.session() else { return };
         let (link, offered) = (session.link().to_owned(), session.offered());
         self.open(&link);
         if self.view.stage.offered.is_empty() {
@@ -72,4 +109,16 @@ impl App {
             self.view.stage = stage;
         }
     }
+}
+
+/// Why a lesson can't be opened, where it would stand.
+fn faults_ui(ui: &mut Ui, sentences: &[String]) -> Option<Wish> {
+    let palette = Palette::of(ui);
+    let title = RichText::new("This lesson can’t be opened").font(theme::semibold(theme::sizes(ui).card));
+    theme::heading(ui, title, 2);
+    for sentence in sentences {
+        ui.label(RichText::new(format!("⚠ {sentence}")).color(palette.bad));
+    }
+    ui.add_space(8.0);
+    ui.add(Button::new("Close")).accessible_name("Close the lesson").clicked().then_some(Wish::Close)
 }

@@ -1,6 +1,7 @@
 //! The application: its state, one frame, and the few things that are not edits of a slider.
 
 mod actions;
+mod course;
 mod history;
 mod layout;
 mod lesson;
@@ -13,8 +14,10 @@ use std::sync::Arc;
 use egui::{Context, Frame, Margin, Panel, Ui};
 
 pub use actions::Action;
+pub use course::FileRequest;
 pub use pinned::Pinned;
 
+use self::course::{CourseState, LessonPane};
 use self::history::{History, Scene};
 
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
@@ -25,7 +28,6 @@ use crate::scenario::{Choice, Part, Scenario, Source, View, link};
 use crate::ui::flight_pane::FlightPane;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
-use crate::ui::lesson::Session;
 use crate::ui::poles::{DragPhase, PoleMap};
 use crate::ui::responses::Responses;
 use crate::ui::share::Share;
@@ -62,8 +64,12 @@ struct Panes {
     help: bool,
     /// Whether the sheet of lessons is open.
     lessons: bool,
-    /// The lesson that is open.
-    lesson: Option<Session>,
+    course: CourseState,
+    lesson: LessonPane,
+    /// Files that are to be read for the page.
+    file_requests: Vec<FileRequest>,
+    /// Whether a person can be asked for files.
+    can_pick: bool,
     /// Whether the sheet of the aircraft's source is open.
     source: bool,
     /// What the sliders are narrowed down to.
@@ -156,8 +162,7 @@ impl App {
 
     /// The whole scene as a link, without the `#`.
     pub fn link(&self) -> String {
-        let pinned = self.pinned.as_ref().map(|pinned| &pinned.scenario);
-        link::write(&self.scenario, &self.view, pinned)
+        self.link_with(&self.view)
     }
 
     /// The same with the instant at which the playback is: what a person sends on. The address bar leaves it out, since it changes in
@@ -165,8 +170,13 @@ impl App {
     pub fn link_with_instant(&self) -> String {
         let mut view = self.view.clone();
         view.flight.instant = self.panes.flight.instant();
+        self.link_with(&view)
+    }
+
+    fn link_with(&self, view: &View) -> String {
         let pinned = self.pinned.as_ref().map(|pinned| &pinned.scenario);
-        link::write(&self.scenario, &view, pinned)
+        let place = self.lesson_place().map(|place| place.in_link()).unwrap_or_default();
+        link::write(&self.scenario, view, pinned) + &place
     }
 
     /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
@@ -186,6 +196,9 @@ impl App {
         // Before anyone asks for the link: it is to change by what a person does only.
         self.refresh();
         self.scenario.disturbance.sizes.time = self.findings.time_shown();
+        if let Some(place) = opened.lesson {
+            self.want_lesson(place);
+        }
         self.share.opened(opened.notices);
     }
 
@@ -202,6 +215,7 @@ impl App {
     /// One frame: what hand and keys do, the sliders, everything that follows from them, and in the end what was asked for.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.panes.problem_said = false;
+        self.attend_lesson(ui);
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
         let hand = self.drag_pole(ui);
         let by_key = keys::command(ui).and_then(|command| self.obey(ui, command));

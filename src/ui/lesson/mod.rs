@@ -4,6 +4,7 @@ mod choose;
 mod estimate;
 mod order;
 mod question;
+mod sheet;
 mod task;
 mod text;
 mod write;
@@ -12,13 +13,14 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use egui::{Button, Frame, Id, Modal, RichText, Ui};
+use egui::{Button, Frame, RichText, Ui};
 
 use super::theme::{self, Palette};
-use crate::content::lessons::{GLOSSARY, LESSONS, REFERENCES};
 use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
 use crate::lesson::{Answers, Lesson, Part, Place, Shelf, Step};
+use crate::scenario::link::LessonPlace;
+pub use sheet::{Chosen, Offer, lessons_sheet_ui};
 use question::{Asked, question_ui};
 use task::task_ui;
 use text::text_ui;
@@ -27,8 +29,10 @@ use write::write_ui;
 /// A lesson that is open: where the person is in it, and what they have answered.
 #[derive(Debug)]
 pub struct Session {
-    lesson: Lesson,
-    shelf: Shelf,
+    /// Where it was opened from: the key of a lesson that ships, the path or the name of a file.
+    address: String,
+    lesson: Rc<Lesson>,
+    shelf: Rc<Shelf>,
     step: usize,
     /// The scene of the step as it was at its start.
     start: Rc<Findings>,
@@ -43,6 +47,8 @@ pub struct Session {
 pub enum Wish {
     /// Open a scene.
     Scene(String),
+    /// Open another lesson of the course, by its key.
+    Lesson(String),
     /// Open the scene of the step.
     Step,
     /// Close the lesson.
@@ -50,16 +56,23 @@ pub enum Wish {
 }
 
 impl Session {
-    /// A lesson that ships, at its first step; `None` if there is none by this name.
-    pub fn open(file: &str, aircraft: &[Arc<Aircraft>]) -> Option<Result<Self, ContentError>> {
-        let (file, text) = LESSONS.into_iter().find(|(name, _)| *name == file)?;
-        Some(Self::read(file, text, aircraft))
+    /// A lesson at the step of a place, or at its last if it has fewer.
+    pub fn open(
+        lesson: Rc<Lesson>,
+        shelf: Rc<Shelf>,
+        place: LessonPlace,
+        aircraft: &[Arc<Aircraft>],
+    ) -> Result<Self, ContentError> {
+        let step = place.step.min(lesson.steps.len().saturating_sub(1));
+        let start = Rc::new(start_of(&lesson.file, lesson.steps.get(step), aircraft)?);
+        let (given, asked) = (Answers::default(), BTreeMap::new());
+        Ok(Self { address: place.address, lesson, shelf, step, start, given, asked })
     }
 
-    fn read(file: &str, text: &str, aircraft: &[Arc<Aircraft>]) -> Result<Self, ContentError> {
-        let (lesson, shelf) = (Lesson::read(file, text)?, Shelf::read(GLOSSARY, REFERENCES)?);
-        let start = Rc::new(start_of(lesson.steps.first(), aircraft)?);
-        Ok(Self { lesson, shelf, step: 0, start, given: Answers::default(), asked: BTreeMap::new() })
+    /// Where the person is, if a link can lead there: not to a file that they have opened themselves.
+    pub fn place(&self) -> Option<LessonPlace> {
+        let is_elsewhere = self.address == self.lesson.key() || self.address.contains('/');
+        is_elsewhere.then(|| LessonPlace { address: self.address.clone(), step: self.step, begins: false })
     }
 
     /// What was given to it so far.
@@ -92,7 +105,7 @@ impl Session {
     fn go_to(&mut self, step: usize, aircraft: &[Arc<Aircraft>]) -> bool {
         let before = (self.link().to_owned(), self.offered());
         self.step = step.min(self.lesson.steps.len().saturating_sub(1));
-        if let Ok(start) = start_of(self.current(), aircraft) {
+        if let Ok(start) = start_of(&self.lesson.file, self.current(), aircraft) {
             self.start = Rc::new(start);
         }
         before != (self.link().to_owned(), self.offered())
@@ -100,10 +113,10 @@ impl Session {
 }
 
 /// What follows from the scene of a step.
-fn start_of(step: Option<&Step>, aircraft: &[Arc<Aircraft>]) -> Result<Findings, ContentError> {
+fn start_of(file: &str, step: Option<&Step>, aircraft: &[Arc<Aircraft>]) -> Result<Findings, ContentError> {
     let opened = step.and_then(|step| step.scene.open(aircraft));
     opened.map(|opened| Findings::of(opened.scenario)).ok_or_else(|| ContentError {
-        file: String::new(),
+        file: file.to_owned(),
         line: step.map_or(1, |step| step.line),
         problem: "expected a step with a scene".to_owned(),
     })
@@ -179,33 +192,4 @@ pub fn lesson_ui(
         wish = Some(Wish::Step);
     }
     wish
-}
-
-/// The sheet that offers the lessons. Gives the file of the one that was chosen, and whether the sheet is still wanted.
-pub fn lessons_sheet_ui(ui: &Ui) -> (Option<&'static str>, bool) {
-    let frame = Frame::popup(ui.style()).inner_margin(16);
-    let mut chosen = None;
-    let modal = Modal::new(Id::unique("lessons")).frame(frame).show(ui, |ui| {
-        ui.set_max_width((ui.content_rect().width() - 64.0).min(460.0));
-        theme::heading(ui, RichText::new("Lessons").heading().size(theme::sizes(ui).sheet), 2);
-        ui.label("New here? Each begins with a question, and answers it on this page.");
-        for (file, text) in LESSONS {
-            ui.add_space(8.0);
-            match Lesson::read(file, text) {
-                Ok(lesson) => {
-                    let title = RichText::new(&lesson.title).font(theme::semibold(theme::sizes(ui).value));
-                    if ui.button(title).clicked() {
-                        chosen = Some(file);
-                    }
-                    ui.label(RichText::new(lesson.about.unwrap_or_default()).font(theme::small()));
-                }
-                Err(error) => {
-                    ui.label(error.to_string());
-                }
-            }
-        }
-        ui.add_space(8.0);
-        ui.button("Go on without a lesson").clicked()
-    });
-    (chosen, chosen.is_none() && !modal.inner && !modal.should_close())
 }

@@ -98,6 +98,7 @@ fn span_ui(ui: &mut Ui, span: &Span, is_strong: bool, context: Context<'_>) -> O
     };
     match target {
         Target::Scene(link) if response.clicked() => Some(Wish::Scene(link.clone())),
+        Target::Lesson(key) if response.clicked() => Some(Wish::Lesson(key.clone())),
         _ => None,
     }
 }

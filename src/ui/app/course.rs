@@ -1,0 +1,191 @@
+//! The course on the page: fetched when it is wanted, with the lesson that a link names, and files that a person opens.
+
+use std::rc::Rc;
+
+use egui::Ui;
+
+use super::{App, PhonePane};
+use crate::content::{ContentError, TextFile, lessons};
+use crate::lesson::Course;
+use crate::scenario::link::LessonPlace;
+use crate::ui::lesson::Session;
+
+/// The course as far as it is there.
+#[derive(Debug, Default)]
+pub(super) enum CourseState {
+    /// Nobody has wanted it yet.
+    #[default]
+    Unwanted,
+    /// It has been asked for.
+    Coming,
+    Here(Rc<Course>),
+    /// Why it can't be had.
+    Missing(String),
+}
+
+/// What stands in the pane of the lesson.
+#[derive(Debug, Default)]
+pub(super) enum LessonPane {
+    #[default]
+    Closed,
+    /// The lesson of a place is on its way; whether its file has been asked for.
+    Coming { place: LessonPlace, is_asked: bool },
+    Open(Session),
+    /// Why it can't be opened, each a sentence.
+    Faulty(Vec<String>),
+}
+
+/// Files that the page wants and can't read itself: whoever holds the page does, and gives them to [`App::receive`].
+#[derive(Clone, Debug)]
+pub enum FileRequest {
+    /// Those of the course, by their names in [`lessons::NAMES`].
+    Course,
+    /// A lesson at a path below the page's folder, with the glossary and the references beside it, if there are any.
+    Lesson(String),
+    /// Those that a person chooses.
+    Pick,
+    /// Those that a person has dropped on the page.
+    #[cfg(target_arch = "wasm32")]
+    Dropped(Vec<egui::DroppedFileHandle>),
+}
+
+impl App {
+    /// Whether a person can be asked for files. They can always be dropped on the page.
+    pub fn can_pick_files(&mut self) {
+        self.panes.can_pick = true;
+    }
+
+    /// What is to be read for the page next.
+    pub fn take_file_request(&mut self) -> Option<FileRequest> {
+        self.panes.file_requests.pop()
+    }
+
+    /// Takes the files that were asked for, or why they can't be had.
+    pub fn receive(&mut self, request: &FileRequest, files: Result<Vec<TextFile>, String>) {
+        match (request, files) {
+            (FileRequest::Course, Ok(files)) => {
+                self.panes.course = CourseState::Here(Rc::new(Course::read(&files)));
+            }
+            (FileRequest::Course, Err(reason)) => {
+                if matches!(self.panes.lesson, LessonPane::Coming { .. }) {
+                    self.panes.lesson = LessonPane::Faulty(vec![reason.clone()]);
+                }
+                self.panes.course = CourseState::Missing(reason);
+            }
+            (FileRequest::Lesson(path), Ok(files)) => {
+                let place = match &self.panes.lesson {
+                    LessonPane::Coming { place, .. } if place.address == *path => place.clone(),
+                    // Something else has been opened since.
+                    _ => return,
+                };
+                self.open_own(&files, place);
+            }
+            (_, Err(reason)) => self.panes.lesson = LessonPane::Faulty(vec![reason]),
+            (_, Ok(files)) => self.open_files(&files),
+        }
+    }
+
+    /// Opens what a person has brought: a lesson, with its glossary and references where they come along.
+    pub fn open_files(&mut self, files: &[TextFile]) {
+        let Some(lesson) = files.iter().find(|file| file.name.ends_with(".md")) else {
+            let names: Vec<String> = files.iter().map(|file| format!("“{}”", file.name)).collect();
+            let sentence = format!("{}: expected a lesson, a file that ends with .md.", names.join(", "));
+            self.panes.lesson = LessonPane::Faulty(vec![sentence]);
+            return;
+        };
+        let place = LessonPlace { address: lesson.name.clone(), step: 0, begins: true };
+        self.open_own(files, place);
+        self.panes.lessons = false;
+    }
+
+    /// Opens the lesson of these files; what is wrong with them is said where it would stand.
+    fn open_own(&mut self, files: &[TextFile], place: LessonPlace) {
+        let course = Course::read(files);
+        let course = match &self.panes.course {
+            CourseState::Here(shipped) => course.with_shelf(&shipped.shelf),
+            _ => course,
+        };
+        match course.lessons.first() {
+            Some(_) if course.errors.is_empty() => self.begin_lesson(&course, 0, place),
+            _ => self.panes.lesson = LessonPane::Faulty(sentences(&course.errors)),
+        }
+        self.panes.phone_pane = PhonePane::Lesson;
+    }
+
+    /// Opens a lesson of the course, or a file below the page's folder.
+    pub(super) fn want_lesson(&mut self, place: LessonPlace) {
+        self.panes.lesson = LessonPane::Coming { place, is_asked: false };
+        self.panes.phone_pane = PhonePane::Lesson;
+    }
+
+    /// The course, if it is here; asks for it once.
+    pub(super) fn course(&mut self) -> Option<Rc<Course>> {
+        if matches!(self.panes.course, CourseState::Unwanted) {
+            self.panes.course = match lessons::built_in() {
+                Some(files) => CourseState::Here(Rc::new(Course::read(&files))),
+                None => {
+                    self.panes.file_requests.push(FileRequest::Course);
+                    CourseState::Coming
+                }
+            };
+        }
+        match &self.panes.course {
+            CourseState::Here(course) => Some(course.clone()),
+            _ => None,
+        }
+    }
+
+    /// Opens the lesson that is wanted once it is here, and what was dropped on the page.
+    pub(super) fn attend_lesson(&mut self, ui: &Ui) {
+        self.take_dropped(ui);
+        let LessonPane::Coming { place, is_asked: false } = &self.panes.lesson else { return };
+        let place = place.clone();
+        let Some(course) = self.course() else { return };
+        if let Some((index, _)) = course.find(&place.address) {
+            self.begin_lesson(&course, index, place);
+        } else if place.address.ends_with(".md") {
+            self.panes.file_requests.push(FileRequest::Lesson(place.address.clone()));
+            self.panes.lesson = LessonPane::Coming { place, is_asked: true };
+        } else {
+            let sentence = format!("There is no lesson “{}”.", place.address);
+            self.panes.lesson = LessonPane::Faulty(vec![sentence]);
+        }
+    }
+
+    /// What was dropped on the page. A browser reads files in its own time.
+    fn take_dropped(&mut self, ui: &Ui) {
+        let dropped = ui.input(|input| input.raw.dropped_files.clone());
+        if dropped.is_empty() {
+            return;
+        }
+        #[cfg(target_arch = "wasm32")]
+        self.panes.file_requests.push(FileRequest::Dropped(dropped));
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            let read = |file: &egui::DroppedFileHandle| {
+                let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+                TextFile::from_bytes(&name, &file.bytes()?).map_err(|error| error.to_string())
+            };
+            let files = dropped.iter().map(read).collect();
+            self.receive(&FileRequest::Pick, files);
+        }
+    }
+
+    fn begin_lesson(&mut self, course: &Course, index: usize, place: LessonPlace) {
+        let Some(lesson) = course.lessons.get(index) else { return };
+        let begins = place.begins;
+        match Session::open(lesson.clone(), course.shelf.clone(), place, &self.aircraft) {
+            Ok(session) => {
+                self.panes.lesson = LessonPane::Open(session);
+                if begins {
+                    self.open_step();
+                }
+            }
+            Err(error) => self.panes.lesson = LessonPane::Faulty(sentences(&[error])),
+        }
+    }
+}
+
+fn sentences(errors: &[ContentError]) -> Vec<String> {
+    errors.iter().map(ToString::to_string).collect()
+}

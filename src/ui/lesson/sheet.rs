@@ -1,0 +1,79 @@
+//! The sheet that offers the lessons of the course.
+
+use egui::{Frame, Id, Modal, RichText, Ui};
+
+use crate::lesson::Course;
+use crate::ui::theme::{self, Palette};
+
+/// What can be offered.
+#[derive(Clone, Copy, Debug)]
+pub enum Offer<'a> {
+    /// The course is on its way.
+    Coming,
+    /// The course can't be had, and why.
+    Missing(&'a str),
+    /// The course.
+    Course(&'a Course),
+}
+
+/// What a person chose.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Chosen {
+    /// A lesson, by its key.
+    Lesson(String),
+    /// A file of their own.
+    File,
+    /// To ask for the course once more.
+    Again,
+}
+
+/// Draws the sheet. Gives what was chosen, and whether the sheet is still wanted.
+pub fn lessons_sheet_ui(ui: &Ui, offer: &Offer<'_>, can_pick: bool) -> (Option<Chosen>, bool) {
+    let frame = Frame::popup(ui.style()).inner_margin(16);
+    let mut chosen = None;
+    let modal = Modal::new(Id::unique("lessons")).frame(frame).show(ui, |ui| {
+        ui.set_max_width((ui.content_rect().width() - 64.0).min(460.0));
+        theme::heading(ui, RichText::new("Lessons").heading().size(theme::sizes(ui).sheet), 2);
+        ui.label("New here? Each begins with a question, and answers it on this page.");
+        match offer {
+            Offer::Coming => {
+                ui.add_space(8.0);
+                ui.label("They are on their way.");
+            }
+            Offer::Missing(reason) => {
+                ui.add_space(8.0);
+                ui.label(RichText::new(format!("⚠ {reason}")).color(Palette::of(ui).bad));
+                if ui.button("Try again").clicked() {
+                    chosen = Some(Chosen::Again);
+                }
+            }
+            Offer::Course(course) => chosen = course_ui(ui, course),
+        }
+        ui.add_space(8.0);
+        ui.label(RichText::new("A lesson of your own can be dropped on this page.").font(theme::small()));
+        ui.horizontal(|ui| {
+            if can_pick && ui.button("Open a file …").clicked() {
+                chosen = Some(Chosen::File);
+            }
+            ui.button("Go on without a lesson").clicked()
+        })
+        .inner
+    });
+    (chosen, !modal.inner && !modal.should_close())
+}
+
+fn course_ui(ui: &mut Ui, course: &Course) -> Option<Chosen> {
+    let mut chosen = None;
+    for lesson in &course.lessons {
+        ui.add_space(8.0);
+        let title = RichText::new(&lesson.title).font(theme::semibold(theme::sizes(ui).value));
+        if ui.button(title).clicked() {
+            chosen = Some(Chosen::Lesson(lesson.key().to_owned()));
+        }
+        ui.label(RichText::new(lesson.about.as_deref().unwrap_or_default()).font(theme::small()));
+    }
+    for error in &course.errors {
+        ui.label(RichText::new(format!("⚠ {error}")).color(Palette::of(ui).bad));
+    }
+    chosen
+}

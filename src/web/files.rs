@@ -1,0 +1,135 @@
+//! Files for the page: those of the course and lessons beside the page are fetched, a person's own are chosen or dropped.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use egui::Context;
+use js_sys::Uint8Array;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast as _, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{File, HtmlInputElement, Response};
+
+use crate::content::{TextFile, lessons};
+use crate::ui::{App, FileRequest};
+
+/// Folder of the course, below that of the page.
+const FOLDER: &str = "lessons";
+
+/// What a lesson may have beside it.
+const BESIDE: [&str; 2] = ["glossary.toml", "references.toml"];
+
+/// Files that are here and that the page hasn't got yet.
+#[derive(Clone, Debug, Default)]
+pub struct Files {
+    here: Rc<RefCell<Vec<Delivery>>>,
+}
+
+/// What was asked for, and what came of it.
+type Delivery = (FileRequest, Result<Vec<TextFile>, String>);
+
+impl Files {
+    /// Gives the page what has come. Before a frame is drawn.
+    pub fn deliver(&self, app: &mut App) {
+        for (request, files) in self.here.take() {
+            app.receive(&request, files);
+        }
+    }
+
+    /// Begins to read what the page asks for. After a frame was drawn; when it is here there is another frame.
+    pub fn fetch(&self, ctx: &Context, app: &mut App) {
+        while let Some(request) = app.take_file_request() {
+            let (here, ctx) = (self.here.clone(), ctx.clone());
+            let deliver = move |request, files| {
+                here.borrow_mut().push((request, files));
+                ctx.request_repaint();
+            };
+            if matches!(request, FileRequest::Pick) {
+                pick(deliver);
+                continue;
+            }
+            spawn_local(async move {
+                let files = match &request {
+                    FileRequest::Course => course().await,
+                    FileRequest::Lesson(path) => lesson(path).await,
+                    FileRequest::Dropped(files) => dropped(files).await,
+                    FileRequest::Pick => return,
+                };
+                deliver(request, files);
+            });
+        }
+    }
+}
+
+async fn course() -> Result<Vec<TextFile>, String> {
+    let mut files = Vec::new();
+    for name in lessons::NAMES {
+        files.push(text_of(&format!("{FOLDER}/{name}")).await?);
+    }
+    Ok(files)
+}
+
+/// A lesson and what stands beside it; without these the lesson stands alone.
+async fn lesson(path: &str) -> Result<Vec<TextFile>, String> {
+    let mut files = vec![text_of(path).await?];
+    let folder = path.rsplit_once('/').map_or(String::new(), |(folder, _)| format!("{folder}/"));
+    for name in BESIDE {
+        files.extend(text_of(&format!("{folder}{name}")).await.ok());
+    }
+    Ok(files)
+}
+
+async fn dropped(handles: &[egui::DroppedFileHandle]) -> Result<Vec<TextFile>, String> {
+    let mut files = Vec::new();
+    for handle in handles {
+        let name = handle.path().to_string_lossy().into_owned();
+        let bytes = handle.bytes_async().await.map_err(|_| format!("“{name}” can’t be read."))?;
+        files.push(TextFile::from_bytes(&name, &bytes).map_err(|error| format!("{error}."))?);
+    }
+    Ok(files)
+}
+
+/// The text at a path below the page's folder.
+async fn text_of(path: &str) -> Result<TextFile, String> {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    let failed = |_: JsValue| format!("“{path}” can’t be fetched. Is there a connection?");
+    let window = web_sys::window().ok_or_else(|| "There is no window.".to_owned())?;
+    let response = JsFuture::from(window.fetch_with_str(path)).await.map_err(failed)?;
+    let response: Response = response.dyn_into().map_err(failed)?;
+    if !response.ok() {
+        return Err(format!("There is no file “{path}” beside this page."));
+    }
+    let bytes = JsFuture::from(response.array_buffer().map_err(failed)?).await.map_err(failed)?;
+    TextFile::from_bytes(name, &Uint8Array::new(&bytes).to_vec()).map_err(|error| format!("{error}."))
+}
+
+/// Lets the person choose files.
+fn pick(deliver: impl FnOnce(FileRequest, Result<Vec<TextFile>, String>) + 'static) {
+    let input = web_sys::window()
+        .and_then(|window| window.document())
+        .and_then(|document| document.create_element("input").ok())
+        .and_then(|element| element.dyn_into::<HtmlInputElement>().ok());
+    let Some(input) = input else { return };
+    input.set_type("file");
+    input.set_multiple(true);
+    let chooser = input.clone();
+    let changed = Closure::once_into_js(move || {
+        let list = chooser.files();
+        let chosen: Vec<File> =
+            list.iter().flat_map(|list| (0..list.length()).filter_map(|index| list.get(index))).collect();
+        spawn_local(async move { deliver(FileRequest::Pick, picked(&chosen).await) });
+    });
+    input.set_onchange(Some(changed.unchecked_ref()));
+    input.click();
+}
+
+async fn picked(chosen: &[File]) -> Result<Vec<TextFile>, String> {
+    let mut files = Vec::new();
+    for file in chosen {
+        let failed = |_: JsValue| format!("“{}” can’t be read.", file.name());
+        let bytes = JsFuture::from(file.array_buffer()).await.map_err(failed)?;
+        let read = TextFile::from_bytes(&file.name(), &Uint8Array::new(&bytes).to_vec());
+        files.push(read.map_err(|error| format!("{error}."))?);
+    }
+    Ok(files)
+}
