@@ -20,6 +20,7 @@ macro_rules! files {
 files! {
     "frames.md",
     "forces.md",
+    "equations.md",
     "longitudinal.md",
     "lateral.md",
     "workshop.md",
