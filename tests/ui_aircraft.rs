@@ -46,6 +46,8 @@ impl Pane {
         let path: Vec<[f64; 3]> = (0..100).map(|k| [f64::from(k), 0.0, 0.0]).collect();
         let moments = [Moment { symbol: "M_α α", axis: Axis::Y, size: -0.5, color: egui::Color32::RED }];
         let picture = Picture {
+            is_numbered: true,
+            shows_path: true,
             name: "Navion",
             model: &NAVION.1,
             finish: NAVION.0.finish,

@@ -1,7 +1,7 @@
 //! The stage: what of the page is on, what is hidden, what is locked, and how large it is. A workbench has everything; a lesson's
 //! step, a slide or an embedded frame has what it is about.
 
-use super::{Parameter, Scenario};
+use super::{Parameter, Scenario, parameters};
 use crate::key::keys;
 
 /// What of the page is on, hidden and locked.
@@ -176,9 +176,54 @@ impl Stage {
             || parameter.is_of_disturbance() && self.locks.contains(&Lock::Disturbance)
     }
 
+    /// Whether anything stays as it is.
+    pub fn locks_anything(&self) -> bool {
+        !self.locks.is_empty() || !self.locked.is_empty() || self.locks_up(Lock::Aircraft)
+    }
+
+    /// Puts back what is locked, as it was `before`, whatever has been done since.
+    ///
+    /// Another aircraft, where it may be chosen, comes with its own numbers.
+    pub fn hold(&self, before: &Scenario, now: &mut Scenario) {
+        if self.locks_up(Lock::Aircraft) && now.aircraft.key != before.aircraft.key {
+            let (plane, disturbance) = (now.plane, now.disturbance);
+            *now = Scenario { plane, disturbance, ..before.clone() };
+        }
+        if self.locks_up(Lock::Plane) && now.aircraft.plane_notes[before.plane].is_some() {
+            now.plane = before.plane;
+        }
+        if self.locks_up(Lock::Disturbance) {
+            now.disturbance = before.disturbance;
+        }
+        let is_same = now.aircraft.key == before.aircraft.key;
+        for parameter in parameters().filter(|p| self.locks_parameter(p)) {
+            if parameter.key == TIME {
+                // Else it would follow what is moved.
+                now.disturbance.follows = before.disturbance.follows;
+            }
+            if parameter.is_of_disturbance() || is_same {
+                hold(parameter, before, now);
+            }
+        }
+    }
+
     /// Whether a parameter can be locked, of a scenario.
     pub(super) fn can_lock(parameter: &Parameter, scenario: &Scenario) -> bool {
         parameter.is_of_disturbance() || parameter.applies(scenario)
+    }
+}
+
+/// Key of the time shown.
+const TIME: &str = "time";
+
+/// Puts a parameter back, to the last bit: of what follows from the rest, what is added to it.
+fn hold(parameter: &Parameter, before: &Scenario, now: &mut Scenario) {
+    match (parameter.added(before), parameter.added(now)) {
+        (Some(added), Some(other)) if added != other => parameter.set_added(now, added),
+        (None, None) if parameter.get(before) != parameter.get(now) => {
+            parameter.set(now, parameter.get(before));
+        }
+        _ => {}
     }
 }
 

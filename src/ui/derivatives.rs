@@ -8,6 +8,7 @@ use egui::{
     ScrollArea, Sense, Stroke, TextEdit, TextWrapMode, Ui, UiBuilder, Vec2, WidgetInfo,
 };
 
+use super::curtain::{Curtain, locked};
 use super::number_field::{NumberField, number_field_ui};
 use super::slider::ReferenceSlider;
 use super::symbol::{Symbol, prose, symbol_ui};
@@ -19,7 +20,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
-use crate::scenario::{Page, Parameter, Scenario, Stage, parameters};
+use crate::scenario::{Hidden, Lock, Page, Parameter, Scenario, Stage, parameters};
 use crate::words;
 
 const SYMBOL_WIDTH: f32 = 52.0;
@@ -77,12 +78,16 @@ pub fn derivatives_ui(
     ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 7.0;
         ui.spacing_mut().item_spacing.x = 2.0;
-        for other in Page::ALL.into_iter().filter(|page| page.is_of(scenario)) {
-            ui.selectable_value(page, other, words::sliders::page(other));
-        }
+        let curtain = Curtain::of(ui);
+        curtain.lock_ui(ui, Lock::View, |ui| {
+            for other in Page::ALL.into_iter().filter(|page| page.is_of(scenario)) {
+                ui.selectable_value(page, other, words::sliders::page(other));
+            }
+        });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let reset = Button::new(RichText::new("Reset all").font(theme::small()));
-            if ui.add_enabled(scenario.is_edited(), reset).clicked() {
+            let can = scenario.is_edited() && !curtain.locks(Lock::All);
+            if ui.add_enabled(can, reset).clicked() {
                 *scenario = scenario.with_reference_model();
             }
         });
@@ -268,12 +273,13 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
         theme::make_low(ui, 16.0);
         let title = RichText::new(words::sliders::group(group)).font(theme::semibold(theme::sizes(ui).small));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
-        let edited = rows.iter().any(|parameter| parameter.is_edited(scenario));
-        if edited {
+        let curtain = Curtain::of(ui);
+        let free = || rows.iter().filter(|parameter| !curtain.locks_parameter(parameter));
+        if free().any(|parameter| parameter.is_edited(scenario)) {
             let reset = theme::bare_button(ui, true, Button::new(RichText::new("↺").font(theme::small())));
             let reset = reset.accessible_name(format!("Reset the group {}", words::sliders::group(group)));
             if reset.on_hover_text("All of this group back to the reference").clicked() {
-                for parameter in rows {
+                for parameter in free() {
                     parameter.reset(scenario);
                 }
             }
@@ -393,6 +399,32 @@ impl Row {
         self.column_ui(ui, self.unit_width, column)
     }
 
+    /// The name and the value of what can't be moved, in the places of its slider and its field.
+    fn locked_ui(&self, ui: &mut Ui, scenario: &Scenario) {
+        let Self { parameter, shown, unit, .. } = self;
+        let sizes = theme::sizes(ui);
+        let (weak, text) = (Palette::of(ui).weak, Palette::of(ui).text);
+        let rest = FIELD_WIDTH + self.unit_width + BARS_WIDTH + RESET_WIDTH + 6.0 * 4.0 + 8.0;
+        let width = (ui.available_width() - rest).max(60.0);
+        let told = format!("{}: {shown} {unit}", self.name);
+        self.column_ui(ui, width, |ui| {
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+            let name = RichText::new(parameter.name).font(theme::small()).color(weak);
+            let label = locked(ui.label(name));
+            ui.ctx().accesskit_node_builder(label.id, |node| {
+                node.set_label(told.as_str());
+                node.set_description(words::view::LOCKED);
+            });
+        });
+        let value = self.moved().unwrap_or_else(|| trimmed(parameter.get(scenario) / self.in_si, 4));
+        self.column_ui(ui, FIELD_WIDTH, |ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                locked(ui.label(RichText::new(value).size(sizes.name).color(text)));
+            });
+        });
+        self.column_ui(ui, self.unit_width, |ui| unit_ui(ui, unit));
+    }
+
     fn field_ui(&self, ui: &mut Ui, scenario: &Scenario, form: (f32, f32)) -> NumberField {
         let id = Id::unique(("number", self.parameter.key));
         let name = format!("{}, typed", self.name);
@@ -411,13 +443,12 @@ impl Row {
     /// How it moves each mode.
     fn bars_ui(&self, ui: &mut Ui, findings: &Findings) {
         let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
-        if let Some(row) = self.sensitivity(findings) {
+        let curtain = Curtain::of(ui);
+        if let Some(row) = self.sensitivity(findings).filter(|_| !curtain.hides(Hidden::Reasons)) {
             influence::paint_bars(ui, row, findings.modes(), bars);
-            response.on_hover_text(words::sensitivity::of_row(
-                row,
-                findings.modes(),
-                (self.in_si, self.unit),
-            ));
+            if let Some(words) = self.influence(findings, &curtain) {
+                response.on_hover_text(words);
+            }
         }
     }
 
@@ -426,9 +457,9 @@ impl Row {
         sensitivities.iter().find(|row| row.key == self.parameter.key)
     }
 
-    /// How it moves each mode, in words.
-    fn influence(&self, findings: &Findings) -> Option<String> {
-        let row = self.sensitivity(findings)?;
+    /// How it moves each mode, in words, where that isn't hidden.
+    fn influence(&self, findings: &Findings, curtain: &Curtain) -> Option<String> {
+        let row = self.sensitivity(findings).filter(|_| !curtain.hides_influence())?;
         Some(words::sensitivity::of_row(row, findings.modes(), (self.in_si, self.unit)))
     }
 
@@ -474,10 +505,15 @@ fn row_ui(
             explained_by_tap(ui, &name, &row.name, |ui| {
                 title_ui(ui, parameter);
                 texts_ui(ui, parameter);
-                if let Some(influence) = row.influence(findings) {
+                if let Some(influence) = row.influence(findings, &Curtain::of(ui)) {
                     ui.label(prose(&influence, theme::small(), palette.text));
                 }
             });
+        }
+        if Curtain::of(ui).locks_parameter(parameter) {
+            row.locked_ui(ui, scenario);
+            row.bars_ui(ui, findings);
+            return (None, None, hovered);
         }
         let (slider, moved) = row.slider_ui(ui, scenario);
         if is_asked {
@@ -520,6 +556,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
     let width = symbol_width + COMPACT_FIELD + unit_width + 3.0 * ui.spacing().item_spacing.x + 16.0;
     let size = Vec2::new(width, ui.spacing().interact_size.y);
+    let is_locked = Curtain::of(ui).locks_parameter(parameter);
     let name =
         if unit.is_empty() { parameter.name.to_owned() } else { format!("{} in {unit}", parameter.name) };
     let row = ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
@@ -529,6 +566,9 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
                 title_ui(ui, parameter);
                 texts_ui(ui, parameter);
             });
+        }
+        if is_locked {
+            ui.disable();
         }
         let field = number_field_ui(
             ui,
@@ -548,7 +588,7 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     if !field.response.hovered() {
         row.response.on_hover_text(hover.clone());
     }
-    field.response.on_hover_text(hover);
+    field.response.on_hover_text(hover).on_disabled_hover_text(words::view::LOCKED);
     if let Some(refusal) = field.refusal {
         // In a row of its own, not between the fields.
         ui.end_row();
@@ -600,7 +640,9 @@ fn title_ui(ui: &mut Ui, parameter: &Parameter) {
 /// Meaning, sign and origin.
 fn texts_ui(ui: &mut Ui, parameter: &Parameter) {
     let palette = Palette::of(ui);
-    for text in [parameter.meaning, parameter.sign] {
+    // Its sign says which mode it stiffens and damps, and here and there its meaning does.
+    let tells_modes = !Curtain::of(ui).hides_any(&[Hidden::Names, Hidden::Reasons]);
+    for text in [parameter.meaning, parameter.sign].into_iter().filter(|_| tells_modes) {
         ui.label(prose(text, theme::small(), palette.weak));
     }
     if !parameter.origin.is_empty() {

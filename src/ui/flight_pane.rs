@@ -7,11 +7,13 @@ use egui::Ui;
 use super::aircraft::{
     AircraftView, Attitude, Axis, Figures, Forces, Moment, Picture, Playback, transport_height, transport_ui,
 };
+use super::curtain::Curtain;
 use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
 use crate::findings::{Pose, Trajectory};
 use crate::number::trimmed;
 use crate::scenario::view::{FlightView, Instant, Pace};
+use crate::scenario::{Hidden, Lock};
 use crate::shape::{Deflections, Finish, Model};
 use crate::words;
 
@@ -108,7 +110,7 @@ impl FlightPane {
 
     /// Buttons of the standard views, and what to show.
     pub fn toolbar_ui(&mut self, ui: &mut Ui, view: &mut FlightView) {
-        self.picture.toolbar_ui(ui, view);
+        Curtain::of(ui).lock_ui(ui, Lock::View, |ui| self.picture.toolbar_ui(ui, view));
     }
 
     /// Draws the aircraft at the time of the playback, over all the room there is.
@@ -143,12 +145,15 @@ impl FlightPane {
         let length = flown.scenario.aircraft.length_unit;
         let stays =
             is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
-        let note = stays.or(exaggerated);
+        let curtain = Curtain::of(ui);
+        let note = stays.filter(|_| !curtain.hides_values()).or(exaggerated);
         let Self { picture: widget, playback, models, .. } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
         let picture = Picture {
-            name: &flown.scenario.aircraft.name,
+            name: curtain.aircraft(&flown.scenario.aircraft.name),
+            is_numbered: !curtain.hides(Hidden::Numbers),
+            shows_path: !curtain.hides(Hidden::Curves),
             model,
             finish: *finish,
             attitude: attitude(pose.attitude),

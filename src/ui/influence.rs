@@ -2,6 +2,7 @@
 
 use egui::{Rect, Response, RichText, Sense, Ui, Vec2};
 
+use super::curtain::Curtain;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::findings::{Findings, RowSensitivity, by_strength};
@@ -30,7 +31,8 @@ pub fn share(strength: f64) -> f32 {
 pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
     let palette = Palette::of(ui);
     let bottom = place.center().y + 9.0;
-    for (i, (mode, strength)) in modes.iter().zip(&row.strengths).enumerate() {
+    for (i, index) in Curtain::of(ui).order(modes).into_iter().enumerate() {
+        let (Some(mode), Some(strength)) = (modes.get(index), row.strengths.get(index)) else { continue };
         let Some(strength) = strength.filter(|strength| *strength >= NOTHING) else { continue };
         let tall = share(strength) * (place.height() - 8.0).min(18.0);
         let left = place.left() + BAR_WIDTH * i as f32;
@@ -88,11 +90,13 @@ impl Strongest {
                 }
                 let length = findings.scenario().aircraft.length_unit;
                 let unit = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-                response.on_hover_text(format!(
-                    "{}: {}",
-                    parameter.name,
-                    words::sensitivity::of_row(row, modes, unit)
-                ));
+                if !Curtain::of(ui).hides_influence() {
+                    response.on_hover_text(format!(
+                        "{}: {}",
+                        parameter.name,
+                        words::sensitivity::of_row(row, modes, unit)
+                    ));
+                }
             }
         });
         wish
@@ -146,7 +150,8 @@ fn row_ui(
     ui.painter().galley(start, galley, palette.text);
     let room = place.width() - SYMBOL_WIDTH - 4.0;
     let mut corner = place.left_center() + Vec2::new(SYMBOL_WIDTH, -0.5 * LANE * modes.len() as f32);
-    for (mode, strength) in modes.iter().zip(&row.strengths) {
+    for index in Curtain::of(ui).order(modes) {
+        let (Some(mode), Some(strength)) = (modes.get(index), row.strengths.get(index)) else { continue };
         // No strength: two roots meet, and whatever moves them moves them at no finite rate.
         let length = room * strength.map_or(1.0, |strength| (strength / largest).sqrt() as f32);
         let bar = Rect::from_min_size(corner, Vec2::new(length.max(SHORTEST), LANE - 1.0));

@@ -5,6 +5,7 @@ pub mod aircraft;
 mod app;
 mod arrow_keys;
 mod chart;
+mod curtain;
 mod derivatives;
 mod finger;
 mod flight_pane;

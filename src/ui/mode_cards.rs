@@ -5,6 +5,7 @@ use egui::{
     WidgetText, style::ScrollAnimation,
 };
 
+use super::curtain::Curtain;
 use super::phasors::phasors_ui;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
@@ -21,12 +22,22 @@ use crate::flight::verdicts::task::Task;
 use crate::key::Keyed as _;
 use crate::number::{eigenvalue, significant};
 use crate::scenario::view::Details;
+use crate::scenario::{Hidden, Lock};
 use crate::words;
 
-/// The verdicts: dynamic, then static, each with its numbers.
+/// The verdicts: dynamic, then static, each with its numbers where they aren't hidden.
 pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
-    verdict_ui(ui, &words::stability::dynamic_sentence(plane), plane.dynamic_stability)
-        .on_hover_text(words::stability::DYNAMIC_MEANING);
+    let curtain = Curtain::of(ui);
+    if curtain.hides(Hidden::Verdicts) {
+        return;
+    }
+    let is_brief = curtain.hides_sentences();
+    let sentence = if is_brief {
+        words::stability::dynamic_alone(plane).to_owned()
+    } else {
+        words::stability::dynamic_sentence(plane)
+    };
+    verdict_ui(ui, &sentence, plane.dynamic_stability).on_hover_text(words::stability::DYNAMIC_MEANING);
     let of_static = &plane.static_stability;
     // Amber where the stiffness points back and a real root grows all the same through the terms of speed.
     let tone = match (of_static.verdict, of_static.of_determinant) {
@@ -35,8 +46,12 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>,
         }
         (verdict, _) => verdict,
     };
-    verdict_ui(ui, &words::stability::static_sentence(plane, margins, length), tone)
-        .on_hover_text(words::stability::static_meaning(of_static));
+    if is_brief {
+        verdict_ui(ui, words::stability::static_alone(plane), tone);
+    } else {
+        verdict_ui(ui, &words::stability::static_sentence(plane, margins, length), tone)
+            .on_hover_text(words::stability::static_meaning(of_static));
+    }
 }
 
 fn verdict_ui(ui: &mut Ui, text: &str, stability: Stability) -> Response {
@@ -71,6 +86,7 @@ pub struct Card<'a> {
 pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     let Card { plane, mode, before, .. } = card;
     let palette = Palette::of(ui);
+    let curtain = Curtain::of(ui);
     let color = palette.mode(mode.naming.name);
     let mut fly = false;
     let frame = Frame::new()
@@ -83,19 +99,23 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             theme::make_low(ui, 19.0);
             title_ui(ui, plane, mode, details);
             numbers_ui(ui, mode);
-            participation_ui(ui, plane.model.plane, mode);
-            ui.label(RichText::new(words::naming::reason(mode)).font(theme::small()).color(palette.weak));
-            if let Some(before) = before {
+            if !curtain.hides_any(&[Hidden::Reasons, Hidden::Numbers]) {
+                participation_ui(ui, plane.model.plane, mode);
+            }
+            if !curtain.hides_influence() {
+                ui.label(RichText::new(words::naming::reason(mode)).font(theme::small()).color(palette.weak));
+            }
+            if let Some(before) = before.filter(|_| !curtain.hides(Hidden::Numbers)) {
                 ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
             }
             fly = buttons_ui(ui, card, details);
-            if details.shape {
+            if details.shape && offers_shape(&curtain) {
                 phasors_ui(ui, &plane.model, mode, color);
             }
-            if details.levels {
+            if details.levels && tells_levels(&curtain) {
                 levels_ui(ui, plane, mode);
             }
-            if details.approximations {
+            if details.approximations && !curtain.hides_influence() {
                 approximations_ui(ui, plane, mode);
             }
         });
@@ -105,17 +125,28 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     fly
 }
 
+/// Whether the shape of a mode is shown: it is what the mode is made of, and in numbers.
+fn offers_shape(curtain: &Curtain) -> bool {
+    !curtain.hides_any(&[Hidden::Reasons, Hidden::Numbers])
+}
+
+/// Whether it is told what sets a level: it names the mode, and has its numbers.
+fn tells_levels(curtain: &Curtain) -> bool {
+    !curtain.hides(Hidden::Levels) && !curtain.hides_sentences()
+}
+
 /// The name with its chips at the right, or below it where they would lie on it.
 fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
     let color = Palette::of(ui).mode_text(mode.naming.name);
-    let (name, font) = (words::mode::title(mode.naming.name), theme::semibold(theme::sizes(ui).card));
+    let curtain = Curtain::of(ui);
+    let (name, font) = (curtain.title(mode.naming.name), theme::semibold(theme::sizes(ui).card));
     let chip = |text: String| {
         let font = theme::semibold(theme::sizes(ui).chip);
         ui.painter().layout_no_wrap(text, font, color).size().x
             + 2.0 * CHIP_MARGIN
             + ui.spacing().item_spacing.x
     };
-    let chips: f32 = chip_texts(plane, mode, *details).into_iter().flatten().map(chip).sum();
+    let chips: f32 = chip_texts(&curtain, plane, mode, *details).into_iter().flatten().map(chip).sum();
     let room = ui.available_width() - chips;
     let name_width = ui.painter().layout_no_wrap(name.to_owned(), font.clone(), color).size().x;
     let name = RichText::new(name).font(font).color(color);
@@ -150,14 +181,16 @@ fn hold_place(ui: &Ui, button: &Response, mode: ModeName, detail: &str) {
 /// What can be done with a mode and seen of it. Says whether it is to be flown alone, or no longer.
 fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
     let Card { plane, mode, flown, .. } = card;
-    let name = words::mode::in_a_sentence(mode.naming.name);
+    let curtain = Curtain::of(ui);
+    let name = curtain.in_a_sentence(mode.naming.name);
     let mut fly = false;
     ui.horizontal_wrapped(|ui| {
         // So that all three stand in one row of a card as a rule.
         ui.spacing_mut().button_padding = Vec2::new(5.0, 3.0);
         ui.spacing_mut().item_spacing.x = 5.0;
         let text = |text: &str| RichText::new(text).font(theme::small());
-        let button = ui.add(
+        let button = ui.add_enabled(
+            !curtain.locks(Lock::Disturbance),
             Button::selectable(flown, text(if flown { "Flying alone" } else { "Fly this mode" }))
                 .frame_when_inactive(true),
         );
@@ -168,6 +201,7 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
                 format!("Fly the {name} alone")
             })
             .on_hover_text("Let the aircraft go in the shape of this mode: then nothing else moves")
+            .on_disabled_hover_text(words::view::LOCKED)
             .clicked();
         let toggle =
             |ui: &mut Ui, on: &mut bool, words: &str, (detail, what): (&str, &str), hover: WidgetText| {
@@ -178,14 +212,17 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
                     *on = !*on;
                 }
             };
-        toggle(
-            ui,
-            &mut details.shape,
-            "Shape",
-            ("shape", "Shape"),
-            "How large each quantity is in this mode, and how far ahead or behind it swings".into(),
-        );
-        if let Some((text, hover)) = approximation_button(plane, mode) {
+        if offers_shape(&curtain) {
+            toggle(
+                ui,
+                &mut details.shape,
+                "Shape",
+                ("shape", "Shape"),
+                "How large each quantity is in this mode, and how far ahead or behind it swings".into(),
+            );
+        }
+        if let Some((text, hover)) = approximation_button(plane, mode).filter(|_| !curtain.hides_influence())
+        {
             toggle(
                 ui,
                 &mut details.approximations,
@@ -229,20 +266,32 @@ const CHIP_MARGIN: f32 = 7.0;
 const NO_LEVEL: &str = "no level";
 
 /// Whether it dies away, and the level of handling qualities where there is one.
-fn chip_texts(plane: &PlaneAnalysis, mode: &Mode, details: Details) -> [Option<String>; 2] {
+fn chip_texts(
+    curtain: &Curtain,
+    plane: &PlaneAnalysis,
+    mode: &Mode,
+    details: Details,
+) -> [Option<String>; 2] {
     let stability = match mode.stability {
         Stability::Stable => "stable",
         Stability::Neutral => "neutral",
         Stability::Unstable => "unstable",
     };
-    let mark = if details.levels { "▾" } else { "▸" };
+    let mark = match (tells_levels(curtain), details.levels) {
+        (false, _) => "",
+        (true, true) => " ▾",
+        (true, false) => " ▸",
+    };
     let level = match worst(plane, mode) {
         Some((level, task)) => {
-            Some(format!("{} · Cat {} {mark}", words::verdict::level(level), task.category.letter()))
+            Some(format!("{} · Cat {}{mark}", words::verdict::level(level), task.category.letter()))
         }
         None => (!plane.levels.is_empty()).then(|| NO_LEVEL.to_owned()),
     };
-    [Some(stability.to_owned()), level]
+    [
+        Some(stability.to_owned()).filter(|_| !curtain.hides(Hidden::Verdicts)),
+        level.filter(|_| !curtain.hides(Hidden::Levels)),
+    ]
 }
 
 /// The worst level that a mode has, and the task that it is judged for.
@@ -251,16 +300,22 @@ fn worst(plane: &PlaneAnalysis, mode: &Mode) -> Option<(Level, Task)> {
 }
 
 fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Details) {
-    let [stability, level_text] = chip_texts(plane, mode, *details);
-    chip_ui(ui, stability.unwrap_or_default(), Palette::of(ui).verdict(mode.stability));
-    if let Some(((level, task), level_text)) = worst(plane, mode).zip(level_text) {
+    let curtain = Curtain::of(ui);
+    let [stability, level_text] = chip_texts(&curtain, plane, mode, *details);
+    if let Some(stability) = stability {
+        chip_ui(ui, stability, Palette::of(ui).verdict(mode.stability));
+    }
+    let Some(level_text) = level_text else { return };
+    if let Some((level, task)) = worst(plane, mode) {
         let (color, ground) = Palette::of(ui).verdict(tone(level));
+        if !tells_levels(&curtain) {
+            return chip_ui(ui, level_text, (color, ground));
+        }
         let text = RichText::new(level_text).font(theme::semibold(theme::sizes(ui).chip)).color(color);
         ui.spacing_mut().button_padding = Vec2::new(CHIP_MARGIN, 2.0);
         let chip = ui.add(Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(7));
         theme::focus_ring(ui, &chip);
-        let chip =
-            chip.accessible_name(format!("Level of the {}", words::mode::in_a_sentence(mode.naming.name)));
+        let chip = chip.accessible_name(format!("Level of the {}", curtain.in_a_sentence(mode.naming.name)));
         hold_place(ui, &chip, mode.naming.name, "levels");
         let hover = format!(
             "{}. {}. Press to see which paragraphs of MIL-F-8785C set the level.",
@@ -270,8 +325,12 @@ fn chips_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
         if chip.on_hover_text(hover).clicked() {
             details.levels = !details.levels;
         }
-    } else if !plane.levels.is_empty() {
-        let text = RichText::new(NO_LEVEL).font(theme::small()).color(Palette::of(ui).weak);
+    } else {
+        let text = RichText::new(level_text).font(theme::small()).color(Palette::of(ui).weak);
+        if !tells_levels(&curtain) {
+            ui.label(text);
+            return;
+        }
         let hover = judged(plane, mode).next().map_or_else(
             || "MIL-F-8785C has no requirement on a mode of this kind.".to_owned(),
             words::verdict::sentence,
@@ -333,9 +392,11 @@ const ENTRY_HEIGHT: f32 = 18.0;
 /// One number of a card: symbol, text with its unit, and what it is.
 type Entry = (&'static str, Option<String>, &'static str);
 
-/// The numbers of a mode, two a line.
+/// The numbers of a mode, two a line, where they aren't hidden.
 pub fn numbers_ui(ui: &mut Ui, mode: &Mode) {
-    ui.scope(|ui| entries_ui(ui, mode));
+    if !Curtain::of(ui).hides(Hidden::Numbers) {
+        ui.scope(|ui| entries_ui(ui, mode));
+    }
 }
 
 fn entries_ui(ui: &mut Ui, mode: &Mode) {

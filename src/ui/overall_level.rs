@@ -2,17 +2,24 @@
 
 use egui::{ComboBox, RichText, Ui};
 
+use super::curtain::Curtain;
 use super::mode_cards::tone;
 use super::theme::{self, Palette};
 use crate::flight::Analysis;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::task::Task;
 use crate::key::Keyed;
+use crate::scenario::Hidden;
 use crate::words;
 
 /// Shows the overall level of the aircraft, and lets a person choose the `task` it is judged for.
 pub fn overall_level_ui(ui: &mut Ui, analysis: &Analysis, task: &mut Option<Task>) {
-    if let Some(overall) = analysis.overall_level() {
+    let curtain = Curtain::of(ui);
+    if curtain.hides(Hidden::Levels) {
+        return;
+    }
+    // It names the mode that sets it, and on hover has its numbers.
+    if let Some(overall) = analysis.overall_level().filter(|_| !curtain.hides_sentences()) {
         let (color, _) = Palette::of(ui).verdict(overall.level.map_or(Stability::Unstable, tone));
         let text =
             RichText::new(words::verdict::overall(&overall)).font(theme::semibold(theme::sizes(ui).value));

@@ -6,9 +6,11 @@
 
 use egui::{Color32, Context, CornerRadius, Stroke, Theme, Ui, Visuals};
 
+use super::curtain::Curtain;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::key::keys;
+use crate::scenario::Hidden;
 use crate::shape::{Finish, Material};
 
 /// Radius of the corners of a control: from 6 on egui draws them with twice as many points, in every frame, and nobody sees it.
@@ -384,6 +386,15 @@ impl Look {
             Self::Projector => &PROJECTOR,
         }
     }
+
+    const fn unnamed_palette(self) -> &'static Palette {
+        const UNNAMED: [Palette; 3] = [LIGHT.unnamed(), DARK.unnamed(), PROJECTOR.unnamed()];
+        match self {
+            Self::Light => &UNNAMED[0],
+            Self::Dark => &UNNAMED[1],
+            Self::Projector => &UNNAMED[2],
+        }
+    }
 }
 
 fn projector_id() -> egui::Id {
@@ -393,7 +404,26 @@ fn projector_id() -> egui::Id {
 impl Palette {
     /// The palette of the look in force.
     pub fn of(ui: &Ui) -> &'static Self {
-        Look::of(ui.ctx()).palette()
+        let look = Look::of(ui.ctx());
+        if Curtain::of(ui).hides(Hidden::Names) { look.unnamed_palette() } else { look.palette() }
+    }
+
+    /// The same with one colour for all modes, whose names are hidden.
+    const fn unnamed(self) -> Self {
+        let tone = Tone { mark: self.weak, text: self.weak };
+        Self {
+            short_period: tone,
+            short_period_slow: tone,
+            phugoid: tone,
+            phugoid_slow: tone,
+            third_mode: tone,
+            divergence: tone,
+            dutch_roll: tone,
+            dutch_roll_slow: tone,
+            roll: tone,
+            spiral: tone,
+            ..self
+        }
     }
 
     /// Dresses every control in these colours.

@@ -6,6 +6,7 @@ use egui::accesskit::Role;
 use egui::{Align2, Color32, Galley, Pos2, Rect, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo};
 use nalgebra::Complex;
 
+use super::curtain::Curtain;
 use super::labels::{Place, Placement, Wanted, draw_leader};
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
@@ -36,7 +37,7 @@ pub fn phasors_ui(ui: &mut Ui, model: &PlaneModel, mode: &Mode, color: Color32) 
         let (rect, response) = ui.allocate_exact_size(SIZE, Sense::hover());
         let words: Vec<String> = phasors.iter().map(Phasor::words).collect();
         let words =
-            format!("Shape of the {}: {}", words::mode::in_a_sentence(mode.naming.name), words.join("; "));
+            format!("Shape of the {}: {}", Curtain::of(ui).in_a_sentence(mode.naming.name), words.join("; "));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.as_str()));
         draw(ui, rect, &phasors, color);
         ui.vertical(|ui| {

@@ -7,10 +7,11 @@ use egui::style::{ScrollStyle, StyleModifier};
 use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, TextWrapMode, Ui, Vec2};
 
 use super::app::{Action, Pinned};
+use super::curtain::Curtain;
 use super::theme::{self, Look, Palette};
 use crate::content::{Aircraft, Status};
 use crate::flight::aircraft::plane::Plane;
-use crate::scenario::Scenario;
+use crate::scenario::{Hidden, Lock, Scenario};
 use crate::words;
 
 /// Everything that the bar has to know.
@@ -61,6 +62,11 @@ pub fn top_bar_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 
 fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
+    let curtain = Curtain::of(ui);
+    if curtain.hides(Hidden::AircraftName) {
+        ui.label(RichText::new(words::view::NAME_HIDDEN).color(Palette::of(ui).weak));
+        return None;
+    }
     let now = &bar.scenario.aircraft;
     // The same for every aircraft, so that nothing beside it moves when another is chosen.
     let width = if bar.roomy { 360.0 } else { 190.0 };
@@ -81,6 +87,7 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         });
     // On a phone the longest of them have two lines.
     let room = ui.content_rect().width() - LIST_MARGINS;
+    let is_sourced = !curtain.hides_source();
     let list = |ui: &mut Ui| {
         if bar.narrow {
             ui.set_max_width(room);
@@ -93,7 +100,8 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
             };
             let text = format!("{} · {} · {status}", aircraft.name, aircraft.condition);
             let choice = ui.selectable_label(aircraft.key == now.key, text);
-            if choice.on_hover_text(&aircraft.source).clicked() {
+            let choice = if is_sourced { choice.on_hover_text(&aircraft.source) } else { choice };
+            if choice.clicked() {
                 action = Some(Action::Load(aircraft.clone()));
                 ui.close();
             }
@@ -101,17 +109,21 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     };
     let fixed = |ui: &mut Ui| {
         ui.set_max_width(width);
-        chooser.show_ui(ui, list)
+        curtain.lock_ui(ui, Lock::Aircraft, |ui| chooser.show_ui(ui, list))
     };
     let chooser = ui.scope(fixed).inner;
     let response = theme::name_chooser(chooser, "Aircraft", &now.name);
-    response.on_hover_text(format!("{} · {}\n{}", now.name, now.condition, now.source));
+    let source = if curtain.hides_source() { "" } else { now.source.as_str() };
+    response.on_hover_text(format!("{} · {}\n{source}", now.name, now.condition).trim_end());
     action
 }
 
 /// The status of the plane on screen, a button that opens the sheet of the source.
 fn status_ui(ui: &mut Ui, scenario: &Scenario) -> Option<Action> {
     let palette = Palette::of(ui);
+    if Curtain::of(ui).hides_source() {
+        return None;
+    }
     let notes = scenario.aircraft.plane_notes[scenario.plane].as_ref()?;
     let is_edited = scenario.is_edited();
     let text = words::status::mark(notes.status, is_edited);
@@ -140,12 +152,14 @@ fn plane_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let mut action = None;
     bar.scenario.aircraft.plane_notes.lateral.as_ref()?;
     let short = ["Long.", "Lateral"];
-    for (plane, short) in Plane::ALL.into_iter().zip(short) {
-        let text = if bar.narrow { short } else { words::view::plane(plane) };
-        if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
-            action = Some(Action::Turn(plane));
+    Curtain::of(ui).lock_ui(ui, Lock::Plane, |ui| {
+        for (plane, short) in Plane::ALL.into_iter().zip(short) {
+            let text = if bar.narrow { short } else { words::view::plane(plane) };
+            if ui.selectable_label(bar.scenario.plane == plane, text).clicked() {
+                action = Some(Action::Turn(plane));
+            }
         }
-    }
+    });
     action
 }
 
@@ -179,10 +193,13 @@ impl Tool {
 /// The tools, up to the right edge; in the order of reading, which is that of the Tab key.
 fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
     let look = Look::of(ui.ctx()).next();
+    let curtain = Curtain::of(ui);
     let share = if bar.narrow { "Share" } else { "Share link" };
     let share = Tool::new(share, "Share link: copy the whole scene as a link (key L)", Action::CopyLink);
     let pin = match bar.pinned {
-        Some(pinned) => Tool::new("Unpin", format!("Unpin “{}”", pinned.name), Action::Unpin),
+        Some(pinned) => {
+            Tool::new("Unpin", format!("Unpin “{}”", curtain.aircraft(&pinned.name)), Action::Unpin)
+        }
         None => Tool::new("Pin", "Pin this state, to compare what comes next with it", Action::Pin),
     };
     let dress = Tool {
@@ -199,7 +216,10 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         tools.insert(0, Tool::new("Lessons", "Lessons: begin with a question", Action::Lessons));
         tools.push(Tool::help());
     }
-    let pinned = bar.pinned.filter(|_| bar.roomy).map(|pinned| format!("○ pinned: {}", pinned.name));
+    let pinned = bar
+        .pinned
+        .filter(|_| bar.roomy)
+        .map(|pinned| format!("○ pinned: {}", curtain.aircraft(&pinned.name)));
     from_the_right(ui, bar.narrow, pinned.as_deref(), tools)
 }
 

@@ -63,20 +63,49 @@ pub const fn in_a_sentence(name: ModeName) -> &'static str {
     }
 }
 
+/// A mode whose name is hidden, by its place among the others.
+pub const fn numbered(place: Option<usize>) -> &'static str {
+    match place {
+        Some(0) => "Mode 1",
+        Some(1) => "Mode 2",
+        Some(2) => "Mode 3",
+        Some(3) => "Mode 4",
+        Some(_) | None => "Another mode",
+    }
+}
+
+/// The same after an article within a sentence.
+pub const fn numbered_in_a_sentence(place: Option<usize>) -> &'static str {
+    match place {
+        Some(0) => "mode 1",
+        Some(1) => "mode 2",
+        Some(2) => "mode 3",
+        Some(3) => "mode 4",
+        Some(_) | None => "other mode",
+    }
+}
+
 /// Damping and period of an oscillation, "ζ 0.69 · T 2.4 s"; the time to half or to double of a real root.
 pub fn numbers(mode: &Mode) -> String {
+    let numbers = plain_numbers(mode);
+    if numbers.is_empty() {
+        "neutral".to_owned()
+    } else if mode.is_oscillatory() && mode.stability == Stability::Unstable {
+        format!("{numbers} · unstable")
+    } else {
+        numbers
+    }
+}
+
+/// The same without a verdict; nothing of a neutral root.
+pub fn plain_numbers(mode: &Mode) -> String {
     match (mode.damping_ratio(), mode.period(), mode.time_to_half(), mode.time_to_double()) {
         (Some(zeta), Some(period), _, _) => {
-            let (zeta, period) = (fixed(zeta, 2), significant(period, 3));
-            if mode.is_oscillatory() && mode.stability == Stability::Unstable {
-                format!("ζ {zeta} · T {period} s · unstable")
-            } else {
-                format!("ζ {zeta} · T {period} s")
-            }
+            format!("ζ {} · T {} s", fixed(zeta, 2), significant(period, 3))
         }
         (_, _, Some(time), _) => format!("halves in {} s", significant(time, 2)),
         (_, _, _, Some(time)) => format!("doubles in {} s", significant(time, 2)),
-        _ => "neutral".to_owned(),
+        _ => String::new(),
     }
 }
 

@@ -23,20 +23,29 @@ pub fn dynamic_sentence(plane: &PlaneAnalysis) -> String {
     }
 }
 
+/// Dynamic stability alone.
+pub const fn dynamic_alone(plane: &PlaneAnalysis) -> &'static str {
+    match plane.dynamic_stability {
+        Stability::Stable => "Dynamically stable",
+        Stability::Neutral => "Dynamically neutral",
+        Stability::Unstable => "Dynamically unstable",
+    }
+}
+
 /// What dynamic stability means.
 pub const DYNAMIC_MEANING: &str = "What happens in the end: whether every disturbance dies away, for which every pole must be left of the \
     imaginary axis.";
 
 /// Static stability, with its numbers in the unit of length of the source, and what grows all the same.
 pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) -> String {
-    let PlaneStaticStability { verdict, determinant, of_determinant, stiffness, is_plain } =
+    let PlaneStaticStability { determinant, of_determinant, stiffness, is_plain, .. } =
         plane.static_stability;
     let stiffness_of = |stiffness: Stiffness| {
         let value = stiffness.value / Dimension::PerLengthSecond.in_si(length);
         format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
     };
     let mut readings = Vec::new();
-    let heading = match stiffness {
+    match stiffness {
         PlaneStiffness::Longitudinal { m_w, .. } => {
             let m_w = stiffness_of(m_w);
             readings.push(if is_plain {
@@ -56,11 +65,6 @@ pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: 
                     format!("det\u{a0}A\u{a0}=\u{a0}{determinant}\u{a0}1/s⁴\u{a0}<\u{a0}0")
                 }
             });
-            match verdict {
-                Stability::Stable => "Statically stable in pitch",
-                Stability::Neutral => "Statically neutral in pitch",
-                Stability::Unstable => "Statically unstable in pitch",
-            }
         }
         PlaneStiffness::Lateral { n_v, l_v, .. } => {
             readings.push(format!("weathercock stability {}", stiffness_of(n_v)));
@@ -68,6 +72,25 @@ pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: 
             if !is_plain {
                 readings.push("both with the product of inertia".to_owned());
             }
+        }
+    }
+    let sentence = format!("{}: {}", static_alone(plane), readings.join(", "));
+    match grows_all_the_same(plane) {
+        Some(remark) => format!("{sentence}. {remark}"),
+        None => sentence,
+    }
+}
+
+/// Static stability alone.
+pub fn static_alone(plane: &PlaneAnalysis) -> &'static str {
+    let PlaneStaticStability { verdict, stiffness, .. } = plane.static_stability;
+    match stiffness {
+        PlaneStiffness::Longitudinal { .. } => match verdict {
+            Stability::Stable => "Statically stable in pitch",
+            Stability::Neutral => "Statically neutral in pitch",
+            Stability::Unstable => "Statically unstable in pitch",
+        },
+        PlaneStiffness::Lateral { n_v, l_v, .. } => {
             match (verdict, n_v.verdict == verdict, l_v.verdict == verdict) {
                 (Stability::Stable, _, _) => "Statically stable in yaw and roll",
                 (Stability::Neutral, true, true) => "Statically neutral in yaw and roll",
@@ -78,11 +101,6 @@ pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: 
                 (Stability::Unstable, false, _) => "Statically unstable in roll",
             }
         }
-    };
-    let sentence = format!("{heading}: {}", readings.join(", "));
-    match grows_all_the_same(plane) {
-        Some(remark) => format!("{sentence}. {remark}"),
-        None => sentence,
     }
 }
 

@@ -49,3 +49,15 @@ pub const fn plane(plane: Plane) -> &'static str {
         Plane::Lateral => "Lateral–directional",
     }
 }
+
+/// An aircraft whose name is hidden.
+pub const AN_AIRCRAFT: &str = "The aircraft";
+
+/// What stands where an aircraft is chosen whose name is hidden.
+pub const NAME_HIDDEN: &str = "Aircraft: its name is hidden";
+
+/// What stands where numbers would, were they not hidden.
+pub const NUMBERS_HIDDEN: &str = "The numbers are hidden in this scene";
+
+/// Something that can't be changed.
+pub const LOCKED: &str = "Locked in this scene";

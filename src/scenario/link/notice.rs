@@ -93,6 +93,19 @@ pub enum Notice {
 }
 
 impl Notice {
+    /// The same without the name of an aircraft, which is hidden: `instead` stands for it.
+    pub fn unnamed(mut self, instead: &str) -> Self {
+        let (Self::NotOf { aircraft: name, .. }
+        | Self::Aircraft { instead: name, .. }
+        | Self::Plane { aircraft: name }
+        | Self::Page { aircraft: name, .. }) = &mut self
+        else {
+            return self;
+        };
+        instead.clone_into(name);
+        self
+    }
+
     pub(super) fn not_of(parameter: &Parameter, aircraft: &Aircraft) -> Self {
         Self::NotOf { name: parameter.name, aircraft: aircraft.name.clone() }
     }

@@ -36,6 +36,17 @@ pub(super) enum Words {
     Force(&'static str, Option<String>),
 }
 
+impl Words {
+    /// The same without what is measured.
+    pub fn without_numbers(self) -> Self {
+        match self {
+            Self::Value(_) => Self::None,
+            Self::Force(name, _) => Self::Force(name, None),
+            Self::None | Self::Name(_) => self,
+        }
+    }
+}
+
 #[derive(Debug)]
 struct Label {
     symbol: String,

@@ -84,6 +84,7 @@ impl OverlayPainter<'_> {
     }
 
     fn name(&mut self, tip: Option<Tip>, symbol: &str, words: Words, color: Color32) {
+        let words = if self.picture.is_numbered { words } else { words.without_numbers() };
         if let Some(tip) = tip {
             self.labels.add(symbol, words, color, tip);
         }

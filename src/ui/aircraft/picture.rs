@@ -11,6 +11,10 @@ use nalgebra::Rotation3;
 pub struct Picture<'a> {
     /// Its name.
     pub name: &'a str,
+    /// Whether what is measured stands beside what is drawn.
+    pub is_numbered: bool,
+    /// Whether the path may be drawn.
+    pub shows_path: bool,
     /// Its faces.
     pub model: &'a Model,
     /// Its paint.
@@ -191,6 +195,10 @@ impl Picture<'_> {
 
     /// The picture in a sentence, for those who can't see it.
     pub fn sentence(&self) -> String {
+        if !self.is_numbered {
+            let note = self.note.map_or_else(String::new, |note| format!(": {note}"));
+            return format!("{}{note}", self.name);
+        }
         let Figures { attitude: Attitude { phi, theta, psi }, alpha, beta, height } = self.figures;
         let mut sentence = format!(
             "{}: pitch {}, bank {}, heading {}, angle of attack {}, sideslip {}, altitude {} m from steady flight",

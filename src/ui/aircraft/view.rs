@@ -12,8 +12,10 @@ use super::landscape::Ground;
 use super::overlays::OverlayPainter;
 use super::picture::{Picture, finite};
 use super::{airframe, landscape};
+use crate::scenario::Lock;
 use crate::scenario::view::{Camera, FlightView, StandardView};
 use crate::shape::Point;
+use crate::ui::curtain::Curtain;
 use crate::ui::theme::{self, Palette};
 use crate::ui::{arrow_keys, finger};
 use crate::words;
@@ -104,7 +106,9 @@ impl AircraftView {
     /// scrolls the page as everywhere.
     pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, picture: &Picture<'_>) -> Response {
         let (pane, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        steer(ui, &response, &mut view.camera);
+        if !Curtain::of(ui).locks(Lock::View) {
+            steer(ui, &response, &mut view.camera);
+        }
         self.remark = picture.forces.remark();
         self.whole = finite(picture.path_reach) / picture.model.radius();
         // The forces would hide what a mode does; but what a person has chosen stands.
@@ -187,7 +191,8 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
         palette,
         labels: Default::default(),
     };
-    let (beyond, before) = if overlays.path { easel.path() } else { Default::default() };
+    let (beyond, before) =
+        if overlays.path && picture.shows_path { easel.path() } else { Default::default() };
     painter.add(Shape::mesh(beyond));
     let airframe = airframe::kept_airframe(ui, pane, picture, &rotation, &lens, palette);
     painter.add(Shape::mesh(airframe.mesh.clone()));

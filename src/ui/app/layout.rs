@@ -6,7 +6,8 @@ use egui::{
 
 use super::{Action, App, PhonePane};
 use crate::scenario::view::Pane;
-use crate::scenario::{Part, Stage};
+use crate::scenario::{Lock, Part, Stage};
+use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::Rows;
 use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
@@ -252,13 +253,15 @@ impl App {
         let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
         let name = words::view::maximise(pane);
         let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
-        let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(name);
+        let button = Curtain::of(ui)
+            .lock_ui(ui, Lock::View, |ui| ui.put(corner, Button::selectable(false, sign)))
+            .accessible_name(name);
         let hover = if maximised {
             "Back to its place (Esc)".to_owned()
         } else {
             format!("{name} ({})", pane.shortcut())
         };
-        if button.on_hover_text(hover).clicked() || turned {
+        if (button.on_hover_text(hover).clicked() || turned) && !Curtain::of(ui).locks(Lock::View) {
             self.view.maximised = (!maximised).then_some(pane);
         }
     }

@@ -2,8 +2,8 @@
 
 use egui::{Button, RichText, ScrollArea, Ui};
 
-use super::course::{CourseState, FileRequest, LessonPane};
 use super::App;
+use super::course::{CourseState, FileRequest, LessonPane};
 use crate::scenario::Stage;
 use crate::scenario::link::LessonPlace;
 use crate::ui::finger;
@@ -52,7 +52,8 @@ impl App {
         }
     }
 
-    fn session(&self) -> Option<&Session> {
+    /// The lesson that is open.
+    pub(super) fn session(&self) -> Option<&Session> {
         match &self.panes.lesson {
             LessonPane::Open(session) => Some(session),
             _ => None,

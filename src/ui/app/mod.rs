@@ -7,6 +7,7 @@ mod layout;
 mod lesson;
 mod panes;
 mod pinned;
+mod staged;
 
 use std::rc::Rc;
 use std::sync::Arc;
@@ -19,12 +20,15 @@ pub use pinned::Pinned;
 
 use self::course::{CourseState, LessonPane};
 use self::history::{History, Scene};
+use self::staged::Held;
 
 use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::modes::mode_name::ModeName;
-use crate::scenario::{Choice, Part, Scenario, Source, View, link};
+use crate::scenario::link::{self, Notice};
+use crate::scenario::{Choice, Hidden, Part, Scenario, Source, View};
+use crate::ui::curtain::Curtain;
 use crate::ui::flight_pane::FlightPane;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
@@ -34,6 +38,7 @@ use crate::ui::share::Share;
 use crate::ui::source_sheet::source_sheet_ui;
 use crate::ui::theme::{self, Palette};
 use crate::ui::top_bar::{Bar, top_bar_ui};
+use crate::words;
 
 /// Below this width the page is a phone's.
 const PHONE: f32 = 700.0;
@@ -86,6 +91,10 @@ struct Panes {
     held: Option<(Plane, usize, ModeName)>,
     /// What disturbed each plane, for how long it was watched \[s\], and how fast it was played, before a mode was flown alone.
     before_flight: ByPlane<Option<(Choice, f64, f64)>>,
+    /// What is locked, as it was when the frame began; nothing where another scene has been opened since.
+    locked: Option<Held>,
+    /// The size of type that is in force.
+    type_size: Option<f32>,
     /// Whether this frame has said why nothing can be shown; once is enough.
     problem_said: bool,
 }
@@ -196,10 +205,14 @@ impl App {
         // Before anyone asks for the link: it is to change by what a person does only.
         self.refresh();
         self.scenario.disturbance.sizes.time = self.findings.time_shown();
+        self.panes.locked = None;
+        let hides_name = self.view.stage.hides(Hidden::AircraftName);
+        let told =
+            |notice: Notice| if hides_name { notice.unnamed(words::view::AN_AIRCRAFT) } else { notice };
         if let Some(place) = opened.lesson {
             self.want_lesson(place);
         }
-        self.share.opened(opened.notices);
+        self.share.opened(opened.notices.into_iter().map(told).collect());
     }
 
     /// Tells the address of the page, which stands before the `#` of a copied link.
@@ -216,9 +229,13 @@ impl App {
     pub fn ui(&mut self, ui: &mut Ui) {
         self.panes.problem_said = false;
         self.attend_lesson(ui);
+        self.fit_type(ui);
+        self.hang_curtain(ui);
+        self.take_hold();
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
         let hand = self.drag_pole(ui);
         let by_key = keys::command(ui).and_then(|command| self.obey(ui, command));
+        self.hold_locked();
 
         let width = ui.content_rect().width();
         let (phone, wide) = (width < PHONE, width >= TABLET);
@@ -228,25 +245,30 @@ impl App {
         let by_bar = self.top_bar_ui(ui, width);
         self.share.notices_ui(ui);
         self.refresh();
+        self.hang_curtain(ui);
         if !phone && self.view.stage.has(Part::Derivatives) {
             self.sliders_ui(ui, wide);
+            self.hold_locked();
             // Everything else is drawn as the sliders are now.
             self.refresh();
+            self.hang_curtain(ui);
         }
         let by_pane = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, wide) };
+        self.hold_locked();
         self.lessons_ui(ui);
         if self.panes.help {
             let (help, lessons) = keys::sheet_ui(ui);
             self.panes.help = help;
             self.panes.lessons |= lessons;
         }
-        if self.panes.source {
+        if self.panes.source && !Curtain::of(ui).hides_source() {
             let is_edited = self.scenario.is_edited();
             self.panes.source = source_sheet_ui(ui, &self.scenario.aircraft, is_edited);
         }
 
         if let Some(action) = by_pane.or(by_bar).or(by_key) {
             self.apply(action, ui);
+            self.hold_locked();
             // What it changed beside the scenario, such as a pin, is drawn in the next frame, which no event may bring.
             ui.request_repaint();
         }

@@ -7,11 +7,13 @@ use egui::{Align, Layout, RichText, Ui};
 use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
-use crate::scenario::{Page, Parameter, Source, View, parameters};
+use crate::scenario::view::Marks;
+use crate::scenario::{Hidden, Page, Parameter, Source, View, parameters};
+use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::{Chosen, Filter, Rows, derivatives_ui, is_listed};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::overall_level::overall_level_ui;
-use crate::ui::poles::PoleMapContent;
+use crate::ui::poles::{PoleMapContent, shows_approximations, shows_levels};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -57,11 +59,19 @@ impl App {
     pub(super) fn poles_ui(&mut self, ui: &mut Ui) {
         let findings = self.shown_ui(ui);
         let Some(plane) = findings.plane() else { return };
+        let curtain = Curtain::of(ui);
+        // The path of a slider tells what it would do.
         let touched = self.panes.touched.and_then(Parameter::find);
+        let touched = touched.filter(|_| !curtain.hides(Hidden::Reasons));
         let locus = touched.map(|parameter| (parameter, findings.locus(parameter)));
         let locus = locus.as_ref().map(|(parameter, locus)| (*parameter, locus.as_ref()));
         let pinned = self.pinned_findings.as_ref().map(|pinned| pinned.modes());
-        let (findings, marks) = (findings.as_ref(), self.view.marks);
+        let Marks { approximations, levels } = self.view.marks;
+        let marks = Marks {
+            approximations: approximations && shows_approximations(&curtain),
+            levels: levels && shows_levels(&curtain),
+        };
+        let findings = findings.as_ref();
         self.panes.poles.show(ui, PoleMapContent { findings, plane, pinned, marks, locus });
     }
 
@@ -99,7 +109,7 @@ impl App {
     /// The derivatives that move the modes most; each leads to its slider.
     pub(super) fn strongest_ui(&mut self, ui: &mut Ui) {
         let (findings, is_stale) = self.shown();
-        if findings.plane().is_none() {
+        if findings.plane().is_none() || Curtain::of(ui).hides(Hidden::Reasons) {
             return;
         }
         let Panes { strongest, touched, explained, asked, phone_pane, .. } = &mut self.panes;
@@ -139,6 +149,9 @@ impl App {
             overall_level_ui(ui, analysis, &mut self.scenario.task);
         });
         let Some(Remark::MixedUnits(gravity)) = findings.remarks().first().copied() else { return None };
+        if Curtain::of(ui).hides(Hidden::Numbers) {
+            return None;
+        }
         let warning = words::stability::mixed_units(gravity);
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
         let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;
@@ -157,7 +170,9 @@ impl App {
         let choice = self.scenario.disturbance.choices[self.scenario.plane];
         let last = analysed.modes.len().saturating_sub(1);
         let mut asked = None;
-        for (i, mode) in analysed.modes.iter().enumerate() {
+        let order = columns.first().map(|ui| Curtain::of(ui).order(&analysed.modes)).unwrap_or_default();
+        for (place, i) in order.into_iter().enumerate() {
+            let mode = &analysed.modes[i];
             let pinned = pinned.iter().flat_map(|pinned| pinned.modes());
             let before = pinned.into_iter().find(|other| other.naming.name == mode.naming.name);
             let flown = choice.source == Source::OneMode && choice.mode.min(last) == i;
@@ -165,7 +180,7 @@ impl App {
             // Columns would stretch every line to their width.
             let ragged = Layout::top_down(Align::Min);
             let card = |ui: &mut Ui| card_ui(ui, card, &mut self.view.details);
-            if columns[column(i)].with_layout(ragged, card).inner {
+            if columns[column(place)].with_layout(ragged, card).inner {
                 asked = Some((i, flown));
             }
         }

@@ -56,6 +56,8 @@ pub struct PlotContent {
     pub with_zero: bool,
     /// Symbols of the curves, where each is another quantity: the title then names them all.
     pub quantities: Vec<&'static str>,
+    /// Whether no value of the curves is told.
+    pub is_silent: bool,
 }
 
 impl PlotContent {
@@ -74,7 +76,15 @@ impl PlotContent {
             scales: (Scale::Even, Scale::Even),
             with_zero: true,
             quantities: Vec::new(),
+            is_silent: false,
         }
+    }
+
+    /// The same with its axes alone: as they are with the curves that aren't drawn.
+    pub fn without_curves(mut self) -> Self {
+        self.ranges();
+        let (curves, uprights, dots) = Default::default();
+        Self { curves, uprights, dots, beyond: None, is_silent: true, ..self }
     }
 
     /// The ranges of both axes.
@@ -113,11 +123,15 @@ impl PlotContent {
         let others: Vec<&str> = self.curves.iter().skip(1).map(|curve| curve.name).collect();
         let is_faded = self.curves.first().is_some_and(|curve| !curve.faded_part().is_empty());
         let until = if is_faded { "where it is no longer small" } else { "at the end" };
+        let against =
+            if self.against.0 == "t" { "time".to_owned() } else { Symbol::parse(self.against.0).plain() };
         let with = if others.is_empty() { String::new() } else { format!("; with {}", others.join(", ")) };
+        if self.is_silent {
+            return format!("{symbol} in {} against {against}{with}", self.unit);
+        }
         format!(
-            "{symbol} in {} against {}: between {} and {}, {} {until}{with}",
+            "{symbol} in {} against {against}: between {} and {}, {} {until}{with}",
             self.unit,
-            if self.against.0 == "t" { "time".to_owned() } else { Symbol::parse(self.against.0).plain() },
             significant(extreme(f64::min), 3),
             significant(extreme(f64::max), 3),
             significant(last, 3),
@@ -157,7 +171,7 @@ impl SmallPlot {
         cursor: Option<f64>,
     ) -> Option<f64> {
         let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| curve.at(x));
-        title(ui, rect, picture, value);
+        title(ui, rect, picture, value.filter(|_| !picture.is_silent));
         let (x, y) = picture.ranges();
         let (x, y) = (self.x.toward(ui, x), self.y.toward(ui, y));
         let frame = Rect::from_min_max(

@@ -20,8 +20,8 @@ use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
 use crate::lesson::{Answers, Lesson, Part, Place, Shelf, Step};
 use crate::scenario::link::LessonPlace;
-pub use sheet::{Chosen, Offer, lessons_sheet_ui};
 use question::{Asked, question_ui};
+pub use sheet::{Chosen, Offer, lessons_sheet_ui};
 use task::task_ui;
 use text::text_ui;
 use write::write_ui;
@@ -95,6 +95,16 @@ impl Session {
     pub fn offered(&self) -> Vec<&'static str> {
         let tasks = self.current().into_iter().flat_map(Step::tasks);
         tasks.flat_map(|task| task.offer.iter().map(|parameter| parameter.key)).collect()
+    }
+
+    /// Whether every question of the step has its answer, and there is one: then its scene hides nothing any more.
+    pub fn is_revealed(&self) -> bool {
+        let parts = self.current().into_iter().flat_map(|step| step.parts.iter().enumerate());
+        let mut questions = parts.filter(|(_, part)| matches!(part, Part::Prediction(_))).peekable();
+        questions.peek().is_some()
+            && questions.all(|(part, _)| {
+                self.given.get(Place { step: self.step, part }).is_some_and(|given| given.is_final)
+            })
     }
 
     fn current(&self) -> Option<&Step> {

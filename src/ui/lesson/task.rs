@@ -5,7 +5,10 @@ use egui::{ProgressBar, RichText, Ui};
 use super::Wish;
 use super::text::{Context, text_ui};
 use crate::findings::Findings;
+use crate::findings::measures::{Measure, Reading};
 use crate::lesson::{Condition, Given, Progress, SolutionAfter, Task, Wanted, progress};
+use crate::scenario::Hidden;
+use crate::ui::curtain::Curtain;
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -74,9 +77,21 @@ fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context
     };
     let mark = if progress.met { "✓" } else { "○" };
     let color = if progress.met { palette.good } else { palette.text };
-    let text = format!("{mark} {}: {now}, wanted {wanted}", words::measure::name(measure));
+    // Of a number that is hidden only whether it is what is wanted.
+    let hidden = match (measure, &progress.now) {
+        (Measure::OfParameter(_), _) => None,
+        (_, Ok(Reading::Stability(_))) => Some(Hidden::Verdicts),
+        (_, Ok(Reading::Level(_))) => Some(Hidden::Levels),
+        (_, Ok(Reading::Number(_)) | Err(_)) => Some(Hidden::Numbers),
+    };
+    let is_hidden = hidden.is_some_and(|hidden| Curtain::of(ui).hides(hidden));
+    let text = if is_hidden {
+        format!("{mark} {}: wanted {wanted}", words::measure::name(measure))
+    } else {
+        format!("{mark} {}: {now}, wanted {wanted}", words::measure::name(measure))
+    };
     ui.label(RichText::new(text).font(theme::small()).color(color));
-    if progress.share > 0.0 && !progress.met {
+    if progress.share > 0.0 && !progress.met && !is_hidden {
         ui.add(ProgressBar::new(progress.share as f32).desired_height(6.0));
     }
 }

@@ -11,12 +11,12 @@ use crate::findings::{Findings, by_strength};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::view::Marks;
-use crate::scenario::{Page, Parameter};
+use crate::scenario::{Hidden, Lock, Page, Parameter};
+use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::Rows;
 use crate::ui::influence;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
-use crate::words;
 
 /// Symbols written on the button; of more, how many.
 const WRITTEN: usize = 3;
@@ -40,6 +40,15 @@ impl Choices {
         chosen.map_or_else(|| findings.movers(index, page), |(_, keys)| keys.clone())
     }
 
+    /// The same without those that are locked.
+    pub fn free_movers(&self, ui: &Ui, findings: &Findings, index: usize, page: Page) -> Vec<&'static str> {
+        let curtain = Curtain::of(ui);
+        let is_locked = |key: &&str| Parameter::find(key).is_some_and(|p| curtain.locks_parameter(p));
+        let mut movers = self.movers(findings, index, page);
+        movers.retain(|key| !is_locked(key));
+        movers
+    }
+
     fn choose(&mut self, page: Page, name: ModeName, keys: Vec<&'static str>) {
         self.chosen.retain(|(of, _)| *of != (page, name));
         self.chosen.push(((page, name), keys));
@@ -59,21 +68,32 @@ impl Choices {
                 *on = !*on;
             }
         };
-        toggle(
-            ui,
-            &mut marks.approximations,
-            "≈",
-            "Textbook approximations",
-            "Where the textbook approximations put the poles: hollow diamonds",
-        );
-        let task = findings.scenario().task;
-        ui.add_enabled_ui(task.is_some(), |ui| {
-            let hint = task.map_or("Choose a class of aircraft above the mode cards first: its source names none", |_| {
-                "Boundaries of the handling-quality levels of MIL-F-8785C, hatched on the side that fails"
+        let curtain = Curtain::of(ui);
+        curtain.lock_ui(ui, Lock::View, |ui| {
+            if shows_approximations(&curtain) {
+                toggle(
+                    ui,
+                    &mut marks.approximations,
+                    "≈",
+                    "Textbook approximations",
+                    "Where the textbook approximations put the poles: hollow diamonds",
+                );
+            }
+            if !shows_levels(&curtain) {
+                return;
+            }
+            let task = findings.scenario().task;
+            ui.add_enabled_ui(task.is_some(), |ui| {
+                let hint = task.map_or("Choose a class of aircraft above the mode cards first: its source names none", |_| {
+                    "Boundaries of the handling-quality levels of MIL-F-8785C, hatched on the side that fails"
+                });
+                toggle(ui, &mut marks.levels, "Levels", "Level boundaries", hint);
             });
-            toggle(ui, &mut marks.levels, "Levels", "Level boundaries", hint);
         });
-        self.movers_ui(ui, findings, page);
+        // What moves a mode tells which it is.
+        if !curtain.hides(Hidden::Reasons) {
+            self.movers_ui(ui, findings, page);
+        }
     }
 
     /// Names what the drag moves, and lets a person choose.
@@ -83,7 +103,8 @@ impl Choices {
         let mut index = of_subject.unwrap_or(0);
         let Some(mode) = modes.get(index) else { return };
         let palette = Palette::of(ui);
-        let keys = self.movers(findings, index, page);
+        let keys = self.free_movers(ui, findings, index, page);
+        let curtain = Curtain::of(ui);
         let parameters: Vec<&'static Parameter> =
             keys.iter().filter_map(|key| Parameter::find(key)).collect();
         let job = |before: &str, written: usize| {
@@ -111,11 +132,8 @@ impl Choices {
         let [whole, shorter, shortest, least] = jobs.map(|(before, written)| job(before, written));
         let job = [whole, shorter, shortest].into_iter().find(fits).unwrap_or(least);
         let plain: Vec<String> = parameters.iter().map(|p| Symbol::parse(p.symbol).plain()).collect();
-        let name = format!(
-            "Drag of the {} moves {}",
-            words::mode::in_a_sentence(mode.naming.name),
-            plain.join(", ")
-        );
+        let name =
+            format!("Drag of the {} moves {}", curtain.in_a_sentence(mode.naming.name), plain.join(", "));
         let button = ui.add(Button::new(job).frame_when_inactive(false)).accessible_name(name);
         let button = button.on_hover_text("Which derivatives change when a pole is dragged");
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
@@ -125,8 +143,9 @@ impl Choices {
             ui.set_width(268.0);
             ui.label(RichText::new("Dragging this pole changes").font(theme::small()).color(palette.weak));
             ui.horizontal_wrapped(|ui| {
-                for (i, mode) in modes.iter().enumerate() {
-                    let text = RichText::new(words::mode::title(mode.naming.name)).font(theme::small());
+                for i in curtain.order(modes) {
+                    let mode = &modes[i];
+                    let text = RichText::new(curtain.title(mode.naming.name)).font(theme::small());
                     let text =
                         if i == index { text } else { text.color(palette.mode_text(mode.naming.name)) };
                     if ui.add(Button::selectable(i == index, text)).clicked() {
@@ -136,11 +155,12 @@ impl Choices {
                 }
             });
             let Some(mode) = modes.get(index) else { return };
-            let mut keys = self.movers(findings, index, page);
+            let mut keys = self.free_movers(ui, findings, index, page);
             let before = keys.clone();
             let rows = findings.sensitivities(page);
             ScrollArea::vertical().max_height(300.0).auto_shrink([false, true]).show(ui, |ui| {
-                for key in by_strength(rows, index) {
+                let is_free = |key: &&str| Parameter::find(key).is_some_and(|p| !curtain.locks_parameter(p));
+                for key in by_strength(rows, index).into_iter().filter(is_free) {
                     let strength =
                         rows.iter().find(|row| row.key == key).and_then(|row| row.strengths[index]);
                     mover_ui(ui, key, strength, mode, &mut keys);
@@ -151,6 +171,16 @@ impl Choices {
             }
         });
     }
+}
+
+/// Whether approximations are marked: they have the name of a mode, and its numbers.
+pub fn shows_approximations(curtain: &Curtain) -> bool {
+    !curtain.hides_influence()
+}
+
+/// Whether boundaries of levels are drawn: they say of which mode they are.
+pub fn shows_levels(curtain: &Curtain) -> bool {
+    !curtain.hides_any(&[Hidden::Levels, Hidden::Names])
 }
 
 /// One derivative of the list: chosen or not, its name, and a bar for how strongly it moves the mode.

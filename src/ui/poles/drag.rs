@@ -10,7 +10,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::Scenario;
 use crate::ui::chart::Chart;
-use crate::words;
+use crate::ui::curtain::Curtain;
 
 /// The move of a pole by a person's hand in this frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,8 +98,8 @@ pub fn place(
 
 impl Outcome {
     /// Why it is not there, in a sentence.
-    pub fn sentence(&self) -> Option<String> {
+    pub fn sentence(&self, curtain: &Curtain) -> Option<String> {
         let obstacle = self.obstacle.as_ref()?;
-        Some(format!("{} can’t follow: {obstacle}.", words::mode::title(self.name)))
+        Some(format!("{} can’t follow: {obstacle}.", curtain.title(self.name)))
     }
 }

@@ -14,9 +14,9 @@ use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::round_up;
 use crate::ui::chart::{Chart, View};
+use crate::ui::curtain::Curtain;
 use crate::ui::labels::{Place, Placement, RememberedPlace, Wanted, draw_leader};
 use crate::ui::theme::{self, Palette};
-use crate::words;
 
 /// Room above a map for its name and its buttons.
 pub const CAPTION: f32 = 18.0;
@@ -242,10 +242,13 @@ impl Map<'_> {
     }
 
     /// What the map shows, in words.
-    pub fn describe(&self) -> String {
-        let words =
-            |mode: &Mode| format!("{} {}", words::mode::title(mode.naming.name), words::mode::numbers(mode));
-        let modes: Vec<String> = self.modes.iter().map(words).collect();
+    pub fn describe(&self, curtain: &Curtain) -> String {
+        let words = |index: usize| {
+            let mode = &self.modes[index];
+            let title = curtain.title(mode.naming.name);
+            curtain.numbers(mode).map_or_else(|| title.to_owned(), |numbers| format!("{title} {numbers}"))
+        };
+        let modes: Vec<String> = curtain.order(self.modes).into_iter().map(words).collect();
         format!("Pole map, {}: {}", self.captions[0], modes.join("; "))
     }
 }
@@ -327,10 +330,12 @@ impl Label {
 fn texts(painter: &Painter, palette: &Palette, mode: &Mode) -> Vec<Lines> {
     let color = palette.mode_text(mode.naming.name);
     let text = |text: String, font: FontId| painter.layout_no_wrap(text, font, color);
-    let name = words::mode::title(mode.naming.name);
+    let curtain = Curtain::on(painter.ctx());
+    let name = curtain.title(mode.naming.name);
     let sizes = theme::sizes(painter.ctx());
-    let numbers = text(words::mode::numbers(mode), FontId::proportional(sizes.chip));
-    let mut texts = vec![vec![text(name.to_owned(), theme::semibold(sizes.name)), numbers]];
+    let numbers = curtain.numbers(mode).map(|numbers| text(numbers, FontId::proportional(sizes.chip)));
+    let whole = [Some(text(name.to_owned(), theme::semibold(sizes.name))), numbers];
+    let mut texts = vec![whole.into_iter().flatten().collect()];
     let font = || theme::semibold(sizes.small);
     let whole = text(name.to_owned(), font());
     let width = whole.size().x;
@@ -368,6 +373,7 @@ mod tests {
     use crate::ui::poles::range::MapRange;
     use crate::ui::poles::{CAPTIONS, slow_modes};
     use crate::ui::theme::Look;
+    use crate::words;
 
     /// Both maps of a desk, a tablet, a phone and a whole page.
     const SIZES: [[Vec2; 2]; 4] = [

@@ -33,7 +33,7 @@ use egui::{
 };
 use nalgebra::Complex;
 
-pub use choices::Choices;
+pub use choices::{Choices, shows_approximations, shows_levels};
 pub use drag::DragPhase;
 
 use self::drag::{DraggedPole, Outcome, place};
@@ -42,6 +42,7 @@ use self::near::{Near, card_ui, near, nearest_pole, reach};
 use self::range::MapRange;
 use self::trail::Trail;
 use super::chart::{Chart, PlotPoint};
+use super::curtain::Curtain;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use super::{arrow_keys, finger};
@@ -52,8 +53,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{eigenvalue, round_up};
 use crate::scenario::view::Marks;
-use crate::scenario::{Page, Parameter, Scenario};
-use crate::words;
+use crate::scenario::{Hidden, Page, Parameter, Scenario};
 
 /// Captions of the two maps, each for a wide, a narrow and the narrowest one.
 const CAPTIONS: [[&str; 3]; 2] =
@@ -134,7 +134,7 @@ impl PoleMap {
             };
             let Some((index, lower, _)) = nearest_pole(chart, modes, at, reach(ui)) else { continue };
             let mode = modes[index].clone();
-            let movers = self.choices.movers(findings, index, page);
+            let movers = self.choices.free_movers(ui, findings, index, page);
             let pole = if lower { mode.lambda.conj() } else { mode.lambda };
             let grip = at - chart.position(pole);
             self.choices.subject = Some(mode.naming.name);
@@ -147,7 +147,7 @@ impl PoleMap {
             let mode = &modes[index];
             let chart = charts[usize::from(slow_modes(modes).contains(&index))];
             let step = round_step((chart.view.top - chart.view.bottom) / FINE_STEPS);
-            let movers = self.choices.movers(findings, index, page);
+            let movers = self.choices.free_movers(ui, findings, index, page);
             let (moved, outcome) = place(findings, mode, mode.lambda + by * step, &movers);
             self.choices.subject = Some(mode.naming.name);
             self.outcome = Some(outcome);
@@ -241,8 +241,10 @@ impl PoleMap {
             (None, Some((_, Near::Pole(i)))) => Some(*i),
             _ => focused,
         };
-        let sentence = self.outcome.as_ref().and_then(Outcome::sentence);
-        let taken = sentence.map(|sentence| sentence_ui(ui, &sentence, charts[0].rect, palette, false));
+        let curtain = Curtain::of(ui);
+        let sentence = self.outcome.as_ref().and_then(|outcome| outcome.sentence(&curtain));
+        let taken =
+            sentence.as_ref().map(|sentence| sentence_ui(ui, sentence, charts[0].rect, palette, false));
         for (i, (map, chart)) in maps.iter().zip(&charts).enumerate() {
             let extras = Extras {
                 trail: &self.trail,
@@ -259,7 +261,7 @@ impl PoleMap {
         for response in poles.iter().filter(|response| response.has_focus()) {
             ui.painter().circle_stroke(response.rect.center(), 13.0, Stroke::new(2.0, palette.accent));
         }
-        if let Some(sentence) = self.outcome.as_ref().and_then(Outcome::sentence) {
+        if let Some(sentence) = sentence {
             sentence_ui(ui, &sentence, charts[0].rect, palette, true);
         }
         if self.held.is_none() {
@@ -300,7 +302,7 @@ impl PoleMap {
         let middle = chart.at(chart.rect.center());
         buttons_ui(ui, map, range, chart, middle);
         let ground = ui.interact(chart.rect, ground_id(i), Sense::click_and_drag());
-        let description = map.describe();
+        let description = map.describe(&Curtain::of(ui));
         ground.widget_info(|| WidgetInfo::labeled(Role::Image, true, description.as_str()));
         let pole = |at: Option<Pos2>| at.and_then(|at| nearest_pole(&chart, modes, at, reach(ui)));
         let pinch = finger::pinch(ui, &ground);
@@ -395,7 +397,13 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
         let size = Vec2::splat(2.0 * marks::CROSS + 4.0);
         let place = Rect::from_center_size(chart.position(mode.lambda), size);
         let response = ui.interact(place, pole_id(i), Sense::focusable_noninteractive());
-        let name = format!("{} pole, {} 1/s", words::mode::title(mode.naming.name), eigenvalue(mode.lambda));
+        let curtain = Curtain::of(ui);
+        let title = curtain.title(mode.naming.name);
+        let name = if curtain.hides(Hidden::Numbers) {
+            format!("{title} pole")
+        } else {
+            format!("{title} pole, {} 1/s", eigenvalue(mode.lambda))
+        };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_description("Arrow keys move it, with Shift further; Escape ends.");

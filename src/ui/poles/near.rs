@@ -9,8 +9,9 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{eigenvalue, significant};
-use crate::scenario::Parameter;
+use crate::scenario::{Hidden, Parameter};
 use crate::ui::chart::Chart;
+use crate::ui::curtain::Curtain;
 use crate::ui::mode_cards::numbers_ui;
 use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
@@ -121,7 +122,7 @@ fn on_path(chart: &Chart, seen: &PoleMapContent<'_>, at: Pos2) -> Option<Near<'s
 
 /// What a card says.
 pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
-    let palette = Palette::of(ui);
+    let (palette, curtain) = (Palette::of(ui), Curtain::of(ui));
     let title = |ui: &mut Ui, text: &str, name: ModeName| {
         ui.label(
             RichText::new(text).font(theme::semibold(theme::sizes(ui).name)).color(palette.mode_text(name)),
@@ -131,7 +132,7 @@ pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
         Near::Pole(index) => {
             let Some(mode) = seen.plane.modes.get(index) else { return };
             ui.set_width(212.0);
-            title(ui, words::mode::title(mode.naming.name), mode.naming.name);
+            title(ui, curtain.title(mode.naming.name), mode.naming.name);
             numbers_ui(ui, mode);
         }
         Near::Approximation(approximation, root) => {
@@ -178,9 +179,11 @@ pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
             job.append(&format!(" = {} {unit}", significant(value / in_si, 3)), 0.0, text);
             ui.label(job);
             if let Some(name) = name {
-                title(ui, words::mode::title(name), name);
+                title(ui, curtain.title(name), name);
             }
-            ui.label(format!("λ = {} 1/s", shown(lambda)));
+            if !curtain.hides(Hidden::Numbers) {
+                ui.label(format!("λ = {} 1/s", shown(lambda)));
+            }
         }
     }
 }

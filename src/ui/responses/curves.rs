@@ -12,8 +12,8 @@ use crate::flight::motion::modal_decomposition::{ModalDecomposition, SplitError}
 use crate::flight::motion::outputs::Output;
 use crate::scenario::{Dimension, Quantity, Scenario};
 use crate::ui::chart::{Curve, Pattern, PlotPoint};
+use crate::ui::curtain::Curtain;
 use crate::ui::theme::Palette;
-use crate::words;
 
 /// An output as a curve of time.
 pub fn linear(
@@ -85,7 +85,7 @@ pub fn parts(
     findings: &Findings,
     output: Output,
     unit: f64,
-    palette: &Palette,
+    (palette, curtain): (&Palette, &Curtain),
 ) -> Result<Vec<Curve>, SplitError> {
     let (Some(motion), Some(split)) = (findings.motion(), findings.split(output)) else {
         return Ok(Vec::new());
@@ -94,14 +94,11 @@ pub fn parts(
     let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let whole = parts.iter().map(|part| largest(part)).fold(0.0, f64::max);
     let part = |name, values: &[f64], color| timed(motion, name, values, unit, Pattern::Filled, color);
-    let mut curves: Vec<Curve> = findings
-        .modes()
-        .iter()
-        .zip(parts)
-        .map(|(mode, values)| {
-            part(words::mode::title(mode.naming.name), values, palette.mode(mode.naming.name))
-        })
-        .collect();
+    let of_mode = |index: usize| {
+        let (mode, values) = (findings.modes().get(index)?, parts.get(index)?);
+        Some(part(curtain.title(mode.naming.name), values, palette.mode(mode.naming.name)))
+    };
+    let mut curves: Vec<Curve> = curtain.order(findings.modes()).into_iter().filter_map(of_mode).collect();
     // Rounding is no part.
     if largest(rest) > 1e-6 * whole {
         curves.push(part("no mode: input and drift", rest, palette.pinned));

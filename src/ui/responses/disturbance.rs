@@ -3,7 +3,8 @@
 use egui::{Button, ComboBox, RichText, Ui};
 
 use crate::flight::modes::mode::Mode;
-use crate::scenario::{Choice, Parameter, Scenario, Source};
+use crate::scenario::{Choice, Lock, Parameter, Scenario, Source};
+use crate::ui::curtain::Curtain;
 use crate::ui::derivatives;
 use crate::ui::theme;
 use crate::words;
@@ -12,16 +13,17 @@ use crate::words;
 pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
     let plane = scenario.plane;
     let choice = &mut scenario.disturbance.choices[plane];
-    source_ui(ui, choice, Source::of(plane));
-    shape_ui(ui, choice);
+    let curtain = Curtain::of(ui);
+    curtain.lock_ui(ui, Lock::Disturbance, |ui| source_ui(ui, choice, Source::of(plane)));
+    curtain.lock_ui(ui, Lock::Disturbance, |ui| shape_ui(ui, choice));
     if choice.source == Source::OneMode {
-        mode_ui(ui, choice, modes);
+        curtain.lock_ui(ui, Lock::Disturbance, |ui| mode_ui(ui, choice, modes));
     }
     let keys = choice.parameters(plane);
     for parameter in keys.into_iter().chain(["times", "time"]).filter_map(Parameter::find) {
         derivatives::compact_ui(ui, scenario, parameter);
     }
-    follow_ui(ui, scenario);
+    curtain.lock_ui(ui, Lock::Disturbance, |ui| follow_ui(ui, scenario));
 }
 
 /// Whether the time shown follows the motion: pressed out, it stays as it is; so it does once it is typed.
@@ -65,11 +67,12 @@ fn shape_ui(ui: &mut Ui, choice: &mut Choice) {
 
 fn mode_ui(ui: &mut Ui, choice: &mut Choice, modes: &[Mode]) {
     let index = choice.mode.min(modes.len().saturating_sub(1));
-    let name = modes.get(index).map_or("", |mode| words::mode::title(mode.naming.name));
+    let curtain = Curtain::of(ui);
+    let name = modes.get(index).map_or("", |mode| curtain.title(mode.naming.name));
     let chooser = ComboBox::from_id_salt("mode").selected_text(name).width(130.0);
     let chooser = chooser.show_ui(ui, |ui| {
-        for (i, mode) in modes.iter().enumerate() {
-            if ui.selectable_label(i == index, words::mode::title(mode.naming.name)).clicked() {
+        for i in curtain.order(modes) {
+            if ui.selectable_label(i == index, curtain.title(modes[i].naming.name)).clicked() {
                 choice.mode = i;
                 ui.close();
             }

@@ -7,12 +7,12 @@ use super::legend::{self, Entry, Mark};
 use super::time::grid;
 use super::{CacheKey, Canvas, kept, note_ui, output_ui};
 use crate::content::LengthUnit;
-use crate::findings::FrequencyResponse;
+use crate::findings::{Findings, FrequencyResponse};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::frequency_response::{FrequencyPoint, Peak};
 use crate::flight::motion::outputs::Output;
 use crate::number::significant;
-use crate::scenario::Quantity;
+use crate::scenario::{Hidden, Quantity};
 use crate::ui::chart::{Curve, Pattern, PlotContent, PlotPoint, Scale, SmallPlot};
 use crate::ui::theme::{self, Palette};
 use crate::words;
@@ -50,13 +50,17 @@ impl FrequencyPlots {
         let key = (CacheKey::of(canvas), output);
         let CachedPlots { shown, pictures, entries } =
             kept(&mut self.sheet, key, || CachedPlots::of(canvas, output, response));
-        match findings.growing_mode().map(|mode| words::frequency::growing(mode.naming.name)) {
+        let is_told = !canvas.curtain.hides_any(&[Hidden::Names, Hidden::Verdicts]);
+        let growing = |findings: &Findings| {
+            let name = findings.growing_mode().filter(|_| is_told)?.naming.name;
+            Some(words::frequency::growing(name))
+        };
+        match growing(findings) {
             Some(growing) => note_ui(ui, &growing),
+            None if canvas.curtain.hides_sentences() || canvas.curtain.hides(Hidden::Curves) => {}
             None => peaks_ui(ui, &response.peaks, *shown),
         }
-        if let Some(growing) = pinned
-            .and_then(|pinned| pinned.growing_mode().map(|mode| words::frequency::growing(mode.naming.name)))
-        {
+        if let Some(growing) = pinned.and_then(|pinned| growing(pinned)) {
             note_ui(ui, &format!("Pinned: {growing}"));
         }
         legend::legend_ui(ui, entries, canvas.beside);
@@ -75,7 +79,7 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, output: &mut Output) {
 
 impl CachedPlots {
     fn of(canvas: Canvas<'_>, output: Output, response: &FrequencyResponse) -> Self {
-        let Canvas { findings, pinned, palette, .. } = canvas;
+        let Canvas { findings, pinned, palette, curtain, .. } = canvas;
         let scenario = findings.scenario();
         let Quantity { symbol: input, dimension, .. } =
             Quantity::of_input(scenario.plane, scenario.driven_channel());
@@ -100,9 +104,10 @@ impl CachedPlots {
             curves
         };
         let symbol = format!("{}/{input}", quantity.symbol);
-        let uprights: Vec<_> = findings
-            .modes()
-            .iter()
+        // Where the frequencies of the modes are: they are read from the axis.
+        let marked = findings.modes().iter().filter(|_| !curtain.hides_values());
+        let uprights: Vec<_> = marked
+            .clone()
             .filter_map(|mode| Some((mode.natural_frequency()?.log10(), palette.mode(mode.naming.name))))
             .collect();
         let picture = |unit: String, curves| PlotContent {
@@ -125,14 +130,14 @@ impl CachedPlots {
         let gain = PlotContent { dots, ..picture(gain_unit, with_pinned(&decibels)) };
         let scales = (Scale::Decades, Scale::RightAngles);
         let phase = PlotContent { scales, ..picture("deg".to_owned(), with_pinned(&degrees)) };
-        let pictures = [gain, phase];
+        let pictures = [gain, phase].map(|picture| canvas.veiled(picture));
         let mut entries = legend::curves(&pictures);
-        entries.extend(findings.modes().iter().filter(|mode| mode.is_oscillatory()).map(|mode| {
+        entries.extend(marked.filter(|mode| mode.is_oscillatory()).map(|mode| {
             let name = mode.naming.name;
             Entry {
                 mark: Mark::Upright,
                 color: palette.mode(name),
-                name: format!("ωₙ of the {}", words::mode::in_a_sentence(name)),
+                name: format!("ωₙ of the {}", curtain.in_a_sentence(name)),
             }
         }));
         Self { shown, pictures, entries }

@@ -7,7 +7,8 @@ use crate::findings::{Extreme, Findings, Metrics, OutputMetrics};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::response_metrics::StepMetrics;
 use crate::number::significant;
-use crate::scenario::{Scenario, Source};
+use crate::scenario::{Hidden, Scenario, Source};
+use crate::ui::curtain::Curtain;
 use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
 use crate::words;
@@ -17,10 +18,12 @@ pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
     ScrollArea::vertical().id_salt("metrics").auto_shrink(false).show(ui, |ui| {
         let plane = findings.scenario().plane;
         let Some(metrics) = findings.metrics() else { return };
+        let is_named = !Curtain::of(ui).hides(Hidden::Names);
         let of_pinned = pinned.and_then(Findings::metrics).into_iter();
-        let of_pinned =
-            of_pinned.flat_map(|pinned| of_the_whole(pinned, plane)).map(|line| format!("{line} (pinned)"));
-        for line in of_the_whole(metrics, plane).into_iter().chain(of_pinned) {
+        let of_pinned = of_pinned
+            .flat_map(|pinned| of_the_whole(pinned, plane, is_named))
+            .map(|line| format!("{line} (pinned)"));
+        for line in of_the_whole(metrics, plane, is_named).into_iter().chain(of_pinned) {
             ui.label(prose(&line, theme::body(), Palette::of(ui).text));
         }
         ui.add_space(4.0);
@@ -43,8 +46,8 @@ fn in_turbulence(scenario: &Scenario) -> bool {
     scenario.disturbance.choices[scenario.plane].source == Source::Turbulence
 }
 
-/// Metrics of the whole motion, a sentence each.
-fn of_the_whole(metrics: &Metrics, plane: Plane) -> Vec<String> {
+/// Metrics of the whole motion, a sentence each; where modes have no names, without those of one mode.
+fn of_the_whole(metrics: &Metrics, plane: Plane, is_named: bool) -> Vec<String> {
     let digits = match plane {
         Plane::Longitudinal => 3,
         Plane::Lateral => 2,
@@ -53,8 +56,12 @@ fn of_the_whole(metrics: &Metrics, plane: Plane) -> Vec<String> {
         Extreme::Peak { value, time } => words::metrics::largest_load_factor(plane, value, time, digits),
         Extreme::Beyond(value) => words::metrics::load_factor_beyond(plane, value, digits),
     });
-    let swing = metrics.phugoid_swing.map(|height| words::metrics::phugoid_swing(height, 3));
-    let anticipation = metrics.control_anticipation.map(|cap| words::metrics::control_anticipation(cap, 3));
+    let swing =
+        metrics.phugoid_swing.filter(|_| is_named).map(|height| words::metrics::phugoid_swing(height, 3));
+    let anticipation = metrics
+        .control_anticipation
+        .filter(|_| is_named)
+        .map(|cap| words::metrics::control_anticipation(cap, 3));
     let banked = metrics.time_to_bank.map(|time| words::metrics::time_to_bank(time, 3));
     let lines = match plane {
         Plane::Longitudinal => [load, swing, anticipation],

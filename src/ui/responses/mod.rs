@@ -10,10 +10,13 @@ mod phase;
 mod time;
 
 use std::rc::Rc;
+use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, Rect, RichText, Ui};
 
+use super::chart::PlotContent;
+use super::curtain::Curtain;
 use super::derivatives::Rows;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
@@ -22,7 +25,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::view::{ResponseView, Tab};
-use crate::scenario::{Quantity, Scenario};
+use crate::scenario::{Hidden, Lock, Quantity, Scenario};
 use crate::words;
 
 /// The plots as they are on screen: how a person has set them up is in [`ResponseView`].
@@ -50,6 +53,9 @@ impl Responses {
             disturbance::disturbance_ui(ui, scenario, modes);
         });
         ui.horizontal_wrapped(|ui| {
+            if Curtain::of(ui).locks(Lock::View) {
+                ui.disable();
+            }
             for tab in Tab::ALL {
                 ui.selectable_value(&mut view.tab, tab, words::view::tab(tab));
             }
@@ -96,17 +102,20 @@ impl Responses {
         pinned: Option<&Rc<Findings>>,
         rows: Rows,
     ) {
-        if view.tab != Tab::Frequency {
+        let curtain = Curtain::of(ui);
+        let is_told = !curtain.hides_values();
+        if view.tab != Tab::Frequency && is_told {
             large_ui(ui, view, findings, rows);
         }
-        if findings.ground().is_some() && matches!(view.tab, Tab::Time | Tab::Phase) {
+        if findings.ground().is_some() && is_told && matches!(view.tab, Tab::Time | Tab::Phase) {
             note_ui(ui, words::disturbance::BELOW_GROUND);
         }
-        if let Some(end) = view.shows_flight().then(|| end_of_flight(findings)).flatten() {
+        if let Some(end) = (view.shows_flight() && is_told).then(|| end_of_flight(findings)).flatten() {
             note_ui(ui, &end);
         }
         let beside = self.beside.take();
-        let canvas = Canvas { findings, pinned, view, palette: Palette::of(ui), rows, beside };
+        let canvas =
+            Canvas { findings, pinned, view, palette: Palette::of(ui), curtain: &curtain, rows, beside };
         if view.tab != Tab::Time {
             self.time.leave();
         }
@@ -114,6 +123,9 @@ impl Responses {
             Tab::Time => self.time.show(ui, canvas),
             Tab::Phase => self.phase.show(ui, canvas, self.time.played),
             Tab::Frequency => self.frequency.show(ui, canvas),
+            Tab::Metrics if curtain.hides(Hidden::Numbers) => {
+                ui.label(RichText::new(words::view::NUMBERS_HIDDEN).color(Palette::of(ui).weak));
+            }
             Tab::Metrics => metrics::metrics_ui(ui, findings, pinned.map(Rc::as_ref)),
         }
     }
@@ -159,6 +171,8 @@ struct Canvas<'a> {
     pinned: Option<&'a Rc<Findings>>,
     view: &'a ResponseView,
     palette: &'static Palette,
+    /// What isn't shown.
+    curtain: &'a Arc<Curtain>,
     rows: Rows,
     /// Where the legend goes if it fits.
     beside: Option<Rect>,
@@ -171,13 +185,25 @@ struct CacheKey {
     pinned: Option<Rc<Findings>>,
     nonlinear: bool,
     palette: &'static Palette,
+    curtain: Arc<Curtain>,
 }
 
 impl CacheKey {
     fn of(canvas: Canvas<'_>) -> Self {
-        let Canvas { findings, pinned, view, palette, .. } = canvas;
-        let nonlinear = view.shows_flight();
-        Self { findings: findings.clone(), pinned: pinned.cloned(), nonlinear, palette }
+        let Canvas { findings, pinned, view, palette, curtain, .. } = canvas;
+        let (nonlinear, curtain) = (view.shows_flight(), curtain.clone());
+        Self { findings: findings.clone(), pinned: pinned.cloned(), nonlinear, palette, curtain }
+    }
+}
+
+impl Canvas<'_> {
+    /// A picture as it may be shown.
+    fn veiled(&self, picture: PlotContent) -> PlotContent {
+        if self.curtain.hides(Hidden::Curves) {
+            picture.without_curves()
+        } else {
+            PlotContent { is_silent: self.curtain.hides(Hidden::Numbers), ..picture }
+        }
     }
 }
 
@@ -192,6 +218,7 @@ impl PartialEq for CacheKey {
             && same_pinned
             && self.nonlinear == other.nonlinear
             && self.palette == other.palette
+            && self.curtain == other.curtain
     }
 }
 

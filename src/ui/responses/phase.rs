@@ -35,7 +35,7 @@ impl PhasePlots {
         let key = (CacheKey::of(canvas), pairs);
         let pictures = kept(&mut self.pictures, key, || {
             let [left, right] = pairs.map(|pair| portrait(canvas, pair));
-            [left, right, path(canvas)]
+            [left, right, path(canvas)].map(|picture| canvas.veiled(picture))
         });
         for picture in pictures.iter_mut() {
             let now = cursor.and_then(|time| {
@@ -50,7 +50,9 @@ impl PhasePlots {
         let mut entries = legend::curves(pictures);
         let dot = |color, name: &str| Entry { mark: Mark::Dot, color, name: name.to_owned() };
         entries.push(dot(palette.weak, "steady flight"));
-        entries.push(dot(palette.accent, "at the end"));
+        if pictures.iter().any(|picture| picture.dots.len() > 1) {
+            entries.push(dot(palette.accent, "at the end"));
+        }
         if pictures.iter().any(|picture| picture.dots.len() > 2) {
             entries.push(dot(palette.text, "at the cursor"));
         }

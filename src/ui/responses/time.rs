@@ -45,7 +45,7 @@ struct CachedPlots {
 
 impl CachedPlots {
     fn of(canvas: Canvas<'_>, chosen: &[Output], split: bool) -> Self {
-        let Canvas { findings, pinned, view, palette, .. } = canvas;
+        let Canvas { findings, pinned, view, palette, curtain, .. } = canvas;
         let scenario = findings.scenario();
         let mut pictures: Vec<PlotContent> = Vec::new();
         let mut unsplit = None;
@@ -55,7 +55,7 @@ impl CachedPlots {
             let linear = |of: &Findings, pattern, color| curves::linear(of, output, unit, pattern, color);
             let mut drawn: Vec<Curve> = linear(findings, Pattern::Full, palette.text).into_iter().collect();
             if split {
-                match curves::parts(findings, output, unit, palette) {
+                match curves::parts(findings, output, unit, (palette, curtain)) {
                     Ok(parts) => drawn.extend(parts),
                     Err(error) => unsplit = Some(error),
                 }
@@ -70,7 +70,8 @@ impl CachedPlots {
             }
             let small_until = findings.motion().and_then(|motion| motion.small_until);
             let beyond = small_until.map(|time| time..=duration);
-            pictures.push(PlotContent { beyond, ..PlotContent::of_time(quantity.symbol, symbol, drawn) });
+            let picture = PlotContent { beyond, ..PlotContent::of_time(quantity.symbol, symbol, drawn) };
+            pictures.push(canvas.veiled(picture));
         }
         let entries = legend::curves(&pictures);
         if let Some((quantities, dimension, curves)) = curves::inputs(findings, palette) {

@@ -1,0 +1,51 @@
+//! What the stage hides and locks, and how large it is: brought into force once a frame.
+
+use egui::Ui;
+
+use super::App;
+use crate::scenario::view::FlightView;
+use crate::scenario::{Lock, Scenario, View};
+use crate::ui::curtain::Curtain;
+use crate::ui::lesson::Session;
+
+/// The scene as it was when the frame began, where something of it stays so.
+#[derive(Debug)]
+pub(super) struct Held {
+    scenario: Scenario,
+    view: View,
+}
+
+impl App {
+    /// Hangs the curtain for what is drawn next. A step whose questions are answered hides nothing any more.
+    pub(super) fn hang_curtain(&self, ui: &Ui) {
+        let revealed = self.session().is_some_and(Session::is_revealed);
+        Curtain::new(&self.view.stage, revealed, self.findings.modes()).hang(ui.ctx());
+    }
+
+    /// Makes type as large as the stage has it, beside what a person has chosen.
+    pub(super) fn fit_type(&mut self, ui: &Ui) {
+        let (before, now) = (self.panes.type_size.unwrap_or(1.0), self.view.stage.type_size as f32);
+        if before != now {
+            ui.ctx().set_zoom_factor(ui.ctx().zoom_factor() * now / before);
+            self.panes.type_size = Some(now);
+        }
+    }
+
+    /// Remembers what is locked, before anything can move it.
+    pub(super) fn take_hold(&mut self) {
+        let held = || Held { scenario: self.scenario.clone(), view: self.view.clone() };
+        self.panes.locked = self.view.stage.locks_anything().then(held);
+    }
+
+    /// Puts back what is locked, whatever has moved it: a key, a screen reader, undo.
+    pub(super) fn hold_locked(&mut self) {
+        let Some(Held { scenario, view }) = &self.panes.locked else { return };
+        let stage = &self.view.stage;
+        stage.hold(scenario, &mut self.scenario);
+        if stage.locks_up(Lock::View) {
+            // How fast it is played is no part of the picture.
+            let flight = FlightView { pace: self.view.flight.pace, ..view.flight };
+            self.view = View { stage: stage.clone(), flight, ..view.clone() };
+        }
+    }
+}
