@@ -131,7 +131,9 @@ fn what_was_given_is_kept_as_json_and_what_no_longer_fits_the_lesson_is_left_out
 #[test]
 fn the_model_says_what_a_question_is_compared_with() {
     let ask = |block: &str| {
-        let text = format!("+++\ntitle = \"t\"\n+++\n## s\n```scene\nlink = \"#v=1&ac=navion\"\n```\n```predict\nask = \"?\"\n{block}\n```\n");
+        let text = format!(
+            "+++\ntitle = \"t\"\n+++\n## s\n```scene\nlink = \"#v=1&ac=navion\"\n```\n```predict\nask = \"?\"\n{block}\n```\n"
+        );
         let lesson = Lesson::read("t.md", &text).expect("a lesson");
         lesson.steps[0].predictions().next().expect("a question").clone()
     };

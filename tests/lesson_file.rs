@@ -69,10 +69,7 @@ fn a_lesson_is_steps_with_text_questions_and_tasks() {
     let task = faster.tasks().next().expect("a task");
     assert_eq!((task.offer.len(), task.solution_after), (2, SolutionAfter::Tries(2)));
     let Some(Part::Write(writing)) = faster.parts.last() else { panic!("something to write") };
-    assert_eq!(
-        (writing.ask.plain().as_str(), writing.line),
-        ("Explain it to a pilot in two sentences.", 40)
-    );
+    assert_eq!((writing.ask.plain().as_str(), writing.line), ("Explain it to a pilot in two sentences.", 40));
 }
 
 /// Each mistake: what is replaced, by what, and the sentence.

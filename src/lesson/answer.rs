@@ -41,7 +41,9 @@ impl Answer {
                 chosen.iter().all(|number| *number < choices.len()) && (*several || chosen.len() <= 1)
             }
             (Self::Number(number), Kind::Estimate { .. }) => number.is_finite(),
-            (Self::Place { real, imaginary }, Kind::Place { .. }) => real.is_finite() && imaginary.is_finite(),
+            (Self::Place { real, imaginary }, Kind::Place { .. }) => {
+                real.is_finite() && imaginary.is_finite()
+            }
             (Self::Sketch(values), Kind::Sketch { .. }) => values.iter().all(|value| value.is_finite()),
             (Self::Order(order), Kind::Order { items, .. }) => {
                 order.len() == items.len() && (0..items.len()).all(|number| order.contains(&number))

@@ -121,9 +121,10 @@ impl Answers {
                 Some(Part::Prediction(prediction)) => {
                     given.answer.as_ref().is_none_or(|answer| answer.fits(&prediction.kind))
                 }
-                Some(Part::Write(_)) => given.answer.as_ref().is_none_or(|answer| {
-                    matches!(answer, Answer::Text(_) | Answer::DontKnow)
-                }),
+                Some(Part::Write(_)) => given
+                    .answer
+                    .as_ref()
+                    .is_none_or(|answer| matches!(answer, Answer::Text(_) | Answer::DontKnow)),
                 Some(Part::Task(task)) => {
                     given.hints = given.hints.min(task.hints.len());
                     given.answer.is_none()

@@ -16,6 +16,7 @@
 //! | `answer` | an answer compared with what the model does |
 //! | `truth` | what the model says to a question |
 //! | `given` | what a person has given to a lesson, to be kept |
+//! | [`drawing`] | a curve as it is drawn by hand |
 //! | `sketch` | what matters of a curve drawn by hand |
 //! | `task` | a goal, what may be used, and its conditions |
 //! | `task_file` | the reader of a task |
@@ -27,6 +28,7 @@
 mod answer;
 mod check;
 mod course;
+pub mod drawing;
 mod file;
 mod given;
 mod goal;

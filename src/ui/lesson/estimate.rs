@@ -2,6 +2,7 @@
 
 use egui::{Key, RichText, TextEdit, Ui};
 
+use super::place::read;
 use super::text::Context;
 use crate::findings::measures::Measure;
 use crate::lesson::{Answer, Given, Truth};
@@ -48,7 +49,7 @@ pub fn estimate_ui(
         theme::focus_frame(ui, &response);
         ui.label(dimension.symbol(length));
         if response.changed() {
-            given.answer = read(text).map(|number| Answer::Number(number * in_si));
+            given.answer = read(text).ok().map(|number| Answer::Number(number * in_si));
         }
         if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             given.is_final = given.answer.is_some();
@@ -58,10 +59,4 @@ pub fn estimate_ui(
         let problem = format!("“{}” is not a number; type one such as 2.5", text.trim());
         ui.label(RichText::new(problem).font(theme::small()).color(Palette::of(ui).bad));
     }
-}
-
-/// A number as people write it: with a decimal comma or point, and any minus.
-fn read(text: &str) -> Option<f64> {
-    let text = text.trim().replace(',', ".").replace('−', "-");
-    text.parse().ok().filter(|number: &f64| number.is_finite())
 }

@@ -3,8 +3,11 @@
 mod choose;
 mod estimate;
 mod order;
+mod pad;
+mod place;
 mod question;
 mod sheet;
+mod sketch;
 mod task;
 mod text;
 mod write;

@@ -1,6 +1,6 @@
 //! A question for an order: things that are moved up and down.
 
-use egui::{Button, Key, RichText, Ui};
+use egui::{Button, Key, RichText, Ui, UiBuilder};
 
 use super::text::Context;
 use crate::findings::measures::Measure;
@@ -41,9 +41,9 @@ pub fn order_ui(
         ui.label(RichText::new(format!("{mark} {}. {}", place + 1, says(number))).color(color));
     }
     let in_words = |number: usize| {
-        let value = values.get(number).map_or_else(String::new, |value| {
-            words::measure::number(measure.dimension(), *value, length)
-        });
+        let value = values
+            .get(number)
+            .map_or_else(String::new, |value| words::measure::number(measure.dimension(), *value, length));
         format!("{} ({value})", says(number))
     };
     let list: Vec<String> = right.into_iter().map(in_words).collect();
@@ -64,7 +64,9 @@ fn move_ui(ui: &mut Ui, items: &[Item], order: &mut [usize]) {
     for (place, &number) in order.iter().enumerate() {
         let Some(item) = items.get(number) else { continue };
         let says = item.says.plain();
-        ui.push_id(number, |ui| {
+        // Of the thing, wherever it stands, so that the focus stays on its button.
+        let row = UiBuilder::new().scope_id(ui.scope_id().with(number));
+        ui.scope_builder(row, |ui| {
             ui.horizontal(|ui| {
                 let above = place.checked_sub(1);
                 let below = (place < last).then_some(place + 1);

@@ -5,9 +5,13 @@ use egui::{Button, Color32, RichText, Ui};
 use super::choose::choose_ui;
 use super::estimate::{Typed, estimate_ui};
 use super::order::order_ui;
+use super::place::place_ui;
+use super::sketch::{Hand, sketch_ui};
 use super::text::{Context, text_ui};
+use crate::lesson::drawing;
 use crate::lesson::{Answer, Comparison, Estimated, Given, Kind, PlaceCompared, Prediction, Truth};
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// A question on screen: what of it is found or typed already.
 #[derive(Debug, Default)]
@@ -16,6 +20,8 @@ pub struct Asked {
     truth: Option<Option<Truth>>,
     /// A number as it is being typed.
     typed: Typed,
+    /// The hand on the pad of a sketch.
+    hand: Hand,
 }
 
 impl Asked {
@@ -35,7 +41,9 @@ pub fn question_ui(
     ui.scope(|ui| {
         text_ui(ui, &prediction.ask, context);
     });
-    let truth = if given.is_final { asked.truth(prediction, context) } else { None };
+    // The axes of a place and of a sketch need it before.
+    let needs_axes = matches!(prediction.kind, Kind::Place { .. } | Kind::Sketch { .. });
+    let truth = if given.is_final || needs_axes { asked.truth(prediction, context) } else { None };
     match &prediction.kind {
         Kind::Choose { choices, several } => choose_ui(ui, choices, *several, given),
         Kind::Estimate { measure, .. } => {
@@ -44,8 +52,12 @@ pub fn question_ui(
         Kind::Order { items, measure, .. } => {
             order_ui(ui, items, *measure, given, truth.as_ref(), context);
         }
-        Kind::Place { .. } | Kind::Sketch { .. } => {
-            ui.label("Think of an answer, or draw it on paper, before you go on.");
+        Kind::Place { mode, .. } => {
+            let moves = prediction.after.is_some();
+            place_ui(ui, *mode, moves, given, truth.as_ref(), context);
+        }
+        Kind::Sketch { output, .. } => {
+            sketch_ui(ui, *output, given, &mut asked.hand, truth.as_ref(), context);
         }
     }
     if given.is_final {
@@ -58,9 +70,15 @@ pub fn question_ui(
 /// The buttons below a question; "I don't know" is an answer too.
 fn buttons_ui(ui: &mut Ui, given: &mut Given) {
     ui.horizontal(|ui| {
-        let can = given.answer.is_some();
+        let can = given.answer.as_ref().is_some_and(|answer| match answer {
+            Answer::Sketch(drawn) => drawing::is_whole(drawn),
+            _ => true,
+        });
         if ui.add_enabled(can, Button::new("Answer")).clicked() {
             given.is_final = true;
+            if let Some(Answer::Sketch(drawn)) = &mut given.answer {
+                drawing::finish(drawn);
+            }
         }
         if ui.button("I don’t know").clicked() {
             given.answer(Answer::DontKnow);
@@ -81,8 +99,13 @@ fn outcome_ui(
         return;
     };
     let outcome = truth.compare(&prediction.kind, answer);
-    let (verdict, color) = said(&outcome, Palette::of(ui));
+    let palette = Palette::of(ui);
+    let (verdict, color) = said(&outcome, palette);
     ui.label(RichText::new(verdict).font(theme::semibold(theme::body().size)).color(color));
+    for (is_right, sentence) in words::lesson::features(&outcome) {
+        let (mark, color) = if is_right { ("✓", palette.good) } else { ("✗", palette.bad) };
+        ui.label(RichText::new(format!("{mark} {sentence}")).color(color));
+    }
     for reason in outcome.reasons(&prediction.kind) {
         text_ui(ui, reason, context);
     }

@@ -35,6 +35,7 @@ use nalgebra::Complex;
 
 pub use choices::{Choices, shows_approximations, shows_levels};
 pub use drag::DragPhase;
+pub use marks::{both, cross};
 
 use self::drag::{DraggedPole, Outcome, place};
 use self::map::{CAPTION, Extras, Map, RememberedLabels};

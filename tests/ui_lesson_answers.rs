@@ -1,0 +1,234 @@
+//! Answers to the questions of lessons, by mouse, by finger and by keyboard alone; and what stands beside them afterwards.
+
+mod page;
+
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::content::TextFile;
+use page::{PHONE, Page, WIDE, page, type_into};
+
+/// A lesson of one step with these blocks.
+fn lesson(size: Vec2, blocks: &str) -> Page {
+    let mut harness = page(size);
+    let text =
+        format!("+++\ntitle = \"Own\"\n+++\n## A step\n```scene\nlink = \"#v=1&ac=navion\"\n```\n{blocks}\n");
+    let app = harness.state_mut().as_mut().expect("the page has been drawn");
+    app.open_files(&[TextFile { name: "own.md".to_owned(), text }]);
+    harness.run();
+    harness
+}
+
+fn click(harness: &mut Page, label: &str) {
+    harness.get_by_role_and_label(Role::Button, label).click_accesskit();
+    harness.run();
+}
+
+fn count(harness: &Page, label: &str) -> usize {
+    harness.query_all_by_label_contains(label).count()
+}
+
+fn rect(harness: &Page, label: &str) -> Rect {
+    harness.get_by_label_contains(label).rect()
+}
+
+/// A mouse or a finger that is put down, drawn along a path and lifted.
+fn draw(harness: &mut Page, finger: bool, path: &[Pos2]) {
+    let touch = |harness: &mut Page, phase, pos| {
+        if finger {
+            let (device_id, id) = (TouchDeviceId(0), TouchId(0));
+            harness.input_mut().events.push(Event::Touch { device_id, id, phase, pos, force: None });
+        }
+    };
+    let button = |harness: &mut Page, pos, pressed| {
+        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        harness.input_mut().events.push(Event::PointerButton { pos, button, pressed, modifiers });
+    };
+    let (Some(first), Some(last)) = (path.first().copied(), path.last().copied()) else { return };
+    harness.input_mut().events.push(Event::PointerMoved(first));
+    button(harness, first, true);
+    touch(harness, TouchPhase::Start, first);
+    harness.step();
+    for at in &path[1..] {
+        harness.input_mut().events.push(Event::PointerMoved(*at));
+        touch(harness, TouchPhase::Move, *at);
+        harness.step();
+    }
+    button(harness, last, false);
+    if finger {
+        harness.input_mut().events.push(Event::PointerGone);
+    }
+    touch(harness, TouchPhase::End, last);
+    harness.run();
+}
+
+fn press(harness: &mut Page, key: Key, times: usize) {
+    for _ in 0..times {
+        harness.key_press(key);
+        harness.run();
+    }
+}
+
+const PLACE: &str = "```predict\nkind = \"place\"\nask = \"Where?\"\nmode = \"short-period\"\n\
+    after = \"#v=1&ac=navion&cm_alpha=-1.4\"\nwrong_side = \"It stays stable.\"\nfar = \"It moves up.\"\n```\n```reveal\nSeen.\n```";
+
+const YOUR_POLE: &str = "Your short period pole: ";
+
+#[test]
+fn a_pole_is_placed_by_mouse_and_by_finger_and_both_marks_stay_with_the_reason() {
+    for (size, finger) in [(WIDE, false), (PHONE, true)] {
+        let mut harness = lesson(size, PLACE);
+        assert_eq!(count(&harness, "Your short period pole: none yet"), 1);
+        let pad = rect(&harness, YOUR_POLE);
+        draw(&mut harness, finger, &[pad.right_top() + Vec2::new(-20.0, 40.0)]);
+        assert_eq!(count(&harness, "none yet"), 0, "{size}");
+        click(&mut harness, "Answer");
+        assert_eq!(count(&harness, "The other side."), 1, "{size}");
+        assert_eq!(count(&harness, "It stays stable."), 1);
+        assert_eq!(count(&harness, "It moves up."), 0);
+        assert_eq!(count(&harness, "Your mark, the ring with a dot"), 1);
+        assert_eq!(count(&harness, "The short period, a cross: −2.5"), 1);
+        assert_eq!(count(&harness, "Seen."), 1);
+    }
+}
+
+#[test]
+fn a_finger_that_goes_up_over_the_map_of_a_question_scrolls_and_places_nothing() {
+    let mut harness = lesson(PHONE, PLACE);
+    let pad = rect(&harness, YOUR_POLE);
+    let path: Vec<Pos2> = (0..9).map(|k| pad.center() - Vec2::new(0.0, 10.0 * k as f32)).collect();
+    draw(&mut harness, true, &path);
+    assert!(rect(&harness, YOUR_POLE).top() < pad.top());
+    assert_eq!(count(&harness, "Your short period pole: none yet"), 1);
+}
+
+#[test]
+fn a_pole_is_placed_by_keyboard_alone() {
+    let mut harness = lesson(WIDE, PLACE);
+    harness.get_by_label_contains(YOUR_POLE).focus();
+    harness.run();
+    press(&mut harness, Key::ArrowUp, 3);
+    press(&mut harness, Key::ArrowRight, 1);
+    assert_eq!(count(&harness, "none yet"), 0);
+    // Or as two numbers, with a comma and any minus.
+    type_into(&mut harness, "Real part of your pole", "−2,5");
+    type_into(&mut harness, "Imaginary part of your pole", "4");
+    assert_eq!(count(&harness, "Your short period pole: −2.500 ± 4.000j 1/s"), 1);
+    harness.get_by_role_and_label(Role::Button, "Answer").focus();
+    harness.run();
+    press(&mut harness, Key::Enter, 1);
+    assert_eq!(count(&harness, "That is the place."), 1);
+}
+
+const SKETCH: &str = "```predict\nkind = \"sketch\"\nask = \"Draw it.\"\noutput = \"theta\"\n\
+    first = \"Down first.\"\noscillates = \"The phugoid swings.\"\nends = \"It ends lower.\"\n```\n```reveal\nSeen.\n```";
+
+const YOUR_SKETCH: &str = "Your sketch of pitch angle";
+
+fn can_answer(harness: &Page) -> bool {
+    !harness.get_by_role_and_label(Role::Button, "Answer").accesskit_node().is_disabled()
+}
+
+#[test]
+fn a_curve_is_drawn_by_mouse_and_by_finger_and_each_wrong_feature_has_its_reason() {
+    for (size, finger) in [(WIDE, false), (PHONE, true)] {
+        let mut harness = lesson(size, SKETCH);
+        let pad = rect(&harness, YOUR_SKETCH);
+        let at =
+            |x: f32, y: f32| Pos2::new(pad.left() + x * pad.width(), pad.center().y - y * 0.5 * pad.height());
+        // A finger that begins upward draws, and doesn't scroll.
+        let rise: Vec<Pos2> = (0..=10).map(|k| at(0.001 * k as f32, 0.05 * k as f32)).collect();
+        draw(&mut harness, finger, &rise);
+        assert_eq!(rect(&harness, YOUR_SKETCH), pad, "{size}");
+        assert!(!can_answer(&harness), "it isn't drawn to its end");
+        let on: Vec<Pos2> = (0..=20).map(|k| at(0.01 + 0.0495 * k as f32, 0.5)).collect();
+        draw(&mut harness, finger, &on);
+        assert!(can_answer(&harness), "{size}");
+        click(&mut harness, "Answer");
+        for said in
+            ["Down first.", "The phugoid swings.", "It ends lower.", "✗ It starts another way.", "Seen."]
+        {
+            assert_eq!(count(&harness, said), 1, "{said}");
+        }
+        assert_eq!(count(&harness, "Your sketch of pitch angle beside the model’s"), 1);
+        assert_eq!(count(&harness, "your sketch"), 1, "{size}");
+    }
+}
+
+#[test]
+fn a_curve_is_drawn_by_keyboard_alone_and_cleared() {
+    let mut harness = lesson(WIDE, SKETCH);
+    harness.get_by_label_contains(YOUR_SKETCH).focus();
+    harness.run();
+    // Down, then from point to point around what it swings about.
+    press(&mut harness, Key::ArrowRight, 1);
+    press(&mut harness, Key::ArrowDown, 2);
+    for point in 2..16 {
+        press(&mut harness, Key::ArrowRight, 1);
+        let swings = if point % 4 < 2 { Key::ArrowUp } else { Key::ArrowDown };
+        press(&mut harness, swings, 3);
+    }
+    assert!(can_answer(&harness));
+    click(&mut harness, "Clear the sketch");
+    assert!(!can_answer(&harness));
+    // As numbers too.
+    harness.get_by_label("In numbers").click_accesskit();
+    harness.run();
+    type_into(&mut harness, "pitch angle at 4 s [deg]", "−3,5");
+    type_into(&mut harness, "pitch angle at 60 s [deg]", "-3");
+    assert!(can_answer(&harness));
+    click(&mut harness, "Answer");
+    assert_eq!(count(&harness, "✓ It starts the right way."), 1);
+    assert_eq!(count(&harness, "Down first."), 0);
+}
+
+#[test]
+fn things_are_put_in_order_by_arrow_keys_and_their_numbers_are_told_afterwards() {
+    let order = "```predict\nkind = \"order\"\nask = \"By period\"\nmeasure = \"phugoid.period\"\nbecause = \"It grows with speed.\"\n\
+        [[item]]\nsays = \"Slow\"\nlink = \"#v=1&ac=navion&speed=45\"\n[[item]]\nsays = \"Fast\"\nlink = \"#v=1&ac=navion&speed=70\"\n```";
+    let mut harness = lesson(WIDE, order);
+    // By their words at first, so that the order of the file gives nothing away.
+    harness.get_by_label("1. Fast");
+    harness.get_by_label("Move “Fast” down").focus();
+    harness.run();
+    press(&mut harness, Key::ArrowDown, 1);
+    harness.get_by_label("2. Fast");
+    assert!(harness.get_by_label("Move “Fast” down").is_focused(), "the focus goes with it");
+    press(&mut harness, Key::ArrowUp, 1);
+    harness.get_by_label("1. Fast");
+    click(&mut harness, "Answer");
+    assert_eq!(count(&harness, "✗ 1. Fast"), 1);
+    assert_eq!(count(&harness, "By period of the phugoid: Slow (24.8"), 1);
+    assert_eq!(count(&harness, "It grows with speed."), 1);
+}
+
+#[test]
+fn an_estimate_takes_any_comma_and_minus_and_tells_by_what_factor_it_is_off() {
+    let estimate = |measure: &str| {
+        format!(
+            "```predict\nkind = \"estimate\"\nask = \"How much?\"\nmeasure = \"{measure}\"\nwrong_way = \"w\"\nfar = \"f\"\n```"
+        )
+    };
+    let mut harness = lesson(WIDE, &estimate("phugoid.period"));
+    type_into(&mut harness, "Your estimate: period of the phugoid", "59,0");
+    assert_eq!(count(&harness, "You said 59"), 1);
+    assert_eq!(count(&harness, "too high by a factor of 2.0"), 1);
+    let mut harness = lesson(WIDE, &estimate("short_period.real_part"));
+    type_into(&mut harness, "Your estimate: real part of the short period", "−2,5");
+    assert_eq!(count(&harness, "Within 10 %."), 1);
+}
+
+#[test]
+fn what_is_written_is_kept_and_nothing_waits_for_it() {
+    let blocks = format!("```write\nask = \"Explain it.\"\n```\n{SKETCH}");
+    let mut harness = lesson(PHONE, &blocks);
+    let field = harness.get_by_role_and_label(Role::MultilineTextInput, "Your words: Explain it.");
+    field.focus();
+    harness.run();
+    harness.get_by_role(Role::MultilineTextInput).type_text("The tail.");
+    harness.run();
+    click(&mut harness, "I don’t know");
+    assert_eq!(count(&harness, "Seen."), 1);
+    let field = harness.get_by_role(Role::MultilineTextInput);
+    assert_eq!(field.accesskit_node().value().as_deref(), Some("The tail."));
+}
