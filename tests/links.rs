@@ -10,7 +10,8 @@ use eigenwing::flight::verdicts::task::Task;
 use eigenwing::key::Keyed as _;
 use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
 use eigenwing::scenario::view::{
-    Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
+    Camera, Details, Entries, EquationsView, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView,
+    StandardView, Tab, Turn, View,
 };
 use eigenwing::scenario::{
     Dimension, Hidden, Lock, Page, Parameter, Part, Quantity, Scenario, Source, Stage, parameters,
@@ -104,8 +105,8 @@ prop_compose! {
         usual_shown in any::<bool>(),
         pairs in (outputs(Plane::Longitudinal, 5), outputs(Plane::Lateral, 5)),
         usual_pairs in any::<bool>(),
-        flags in any::<[bool; 16]>(),
-        pane in prop::option::of(prop::sample::select(&[Pane::Poles, Pane::Aircraft, Pane::Response])),
+        flags in any::<[bool; 17]>(),
+        pane in prop::option::of(prop::sample::select(Pane::VALUES)),
         camera in cameras(),
         page in any::<Index>(),
         tab in any::<Index>(),
@@ -117,12 +118,16 @@ prop_compose! {
         rate in prop::sample::select(&Pace::RATES),
         hundredths in 0_u32..30_000,
         playing in any::<bool>(),
+        turn in prop::option::of((-180_i16..=180, -90_i16..=90, -180_i16..=180)),
+        entries in prop::sample::select(Entries::VALUES),
+        coloured in prop::option::of(0_usize..4),
     ) -> (View, Index) {
         let usual = ResponseView::default();
+        let turn = turn.map(|(psi, theta, phi)| Turn { psi, theta, phi });
         let portraits = |of: &[Output]| [(of[0], of[1]), (of[2], of[3])];
         let [split, approximations, levels, shape, of_levels, of_books, is_looping, usual_overlays, ..] = flags;
-        let [.., body_axes, earth_axes, angles, rates, forces, flow, path, moments] = flags;
-        let overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
+        let [.., body_axes, earth_axes, angles, rates, forces, flow, path, moments, stability_axes] = flags;
+        let overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments, stability_axes };
         let instant = Instant { time: f64::from(hundredths) / 100.0, is_playing: playing };
         let response = ResponseView {
             tab: *tab.get(&Tab::ALL),
@@ -142,7 +147,8 @@ prop_compose! {
             marks: Marks { approximations, levels },
             details: Details { shape, levels: of_levels, approximations: of_books },
             response,
-            flight: FlightView { camera, overlays, pace: Pace { rate, is_looping }, instant },
+            flight: FlightView { camera, overlays, pace: Pace { rate, is_looping }, instant, turn },
+            equations: EquationsView { entries, coloured },
         };
         (view, page)
     }
@@ -221,7 +227,7 @@ proptest! {
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
             .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
-                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type", "lesson", "step"]).collect();
+                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type", "lesson", "step", "turn", "entries", "coloured"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
@@ -524,11 +530,17 @@ fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
             )
         }
         "drawn" => {
-            let Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments } =
+            let Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments, .. } =
                 flight.overlays;
             let all = [body_axes, earth_axes, angles, rates, forces, flow, path, moments];
             all.map(|on| if on { "1" } else { "0" }).concat()
         }
+        "stability" => flight.overlays.stability_axes.to_string(),
+        "turn" => {
+            flight.turn.map_or("none".to_owned(), |Turn { psi, theta, phi }| format!("{psi} {theta} {phi}"))
+        }
+        "entries" => opened.view.equations.entries.key().to_owned(),
+        "coloured" => opened.view.equations.coloured.map_or("none".to_owned(), |mode| mode.to_string()),
         "rate" => flight.pace.rate.to_string(),
         "loop" => flight.pace.is_looping.to_string(),
         "t" => flight.instant.time.to_string(),

@@ -224,6 +224,7 @@ fn any_attitude_any_view_and_any_overlay_is_drawn_and_rests() {
                 flow: true,
                 path: true,
                 moments: true,
+                stability_axes: true,
             };
             harness.run();
             for clipped in &harness.output().shapes {

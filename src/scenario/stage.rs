@@ -34,6 +34,8 @@ pub enum Part {
     Response,
     /// The verdicts, and the cards of the modes.
     Modes,
+    /// The equations; on only where they are named, for otherwise they stand with the sliders of their entries.
+    Equations,
 }
 
 keys! {
@@ -43,6 +45,7 @@ keys! {
         Aircraft => "aircraft",
         Response => "response",
         Modes => "modes",
+        Equations => "equations",
     }
 }
 
@@ -151,7 +154,7 @@ impl Stage {
 
     /// Whether a part is on.
     pub fn has(&self, part: Part) -> bool {
-        self.parts.is_empty() || self.parts.contains(&part)
+        self.parts.is_empty() && part != Part::Equations || self.parts.contains(&part)
     }
 
     /// Whether a parameter is offered, by its key.

@@ -27,6 +27,8 @@ pub struct View {
     pub response: ResponseView,
     /// How the aircraft in flight is shown.
     pub flight: FlightView,
+    /// How the equations are written.
+    pub equations: EquationsView,
 }
 
 impl View {
@@ -40,6 +42,7 @@ impl View {
             details: Details::default(),
             response: ResponseView::default(),
             flight: FlightView::default(),
+            equations: EquationsView::default(),
         }
     }
 }
@@ -53,6 +56,8 @@ pub enum Pane {
     Aircraft,
     /// The responses.
     Response,
+    /// The equations.
+    Equations,
 }
 
 keys! {
@@ -60,6 +65,42 @@ keys! {
         Poles => "poles",
         Aircraft => "aircraft",
         Response => "response",
+        Equations => "equations",
+    }
+}
+
+/// How the equations are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EquationsView {
+    /// As what their entries stand there.
+    pub entries: Entries,
+    /// The mode by whose sensitivity they are coloured, by its place among the modes; `None` for no colours.
+    pub coloured: Option<usize>,
+}
+
+impl Default for EquationsView {
+    fn default() -> Self {
+        Self { entries: Entries::default(), coloured: Some(0) }
+    }
+}
+
+/// As what the entries of A and B stand in the equations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Entries {
+    /// As numbers.
+    #[default]
+    Numbers,
+    /// As the symbols of their sliders.
+    Symbols,
+    /// As what they are made of.
+    Full,
+}
+
+keys! {
+    Entries {
+        Numbers => "numbers",
+        Symbols => "symbols",
+        Full => "full",
     }
 }
 
@@ -169,6 +210,24 @@ pub struct FlightView {
     pub pace: Pace,
     /// Where the playback begins when the scene is opened.
     pub instant: Instant,
+    /// The attitude that the aircraft is turned to by hand, instead of flying.
+    pub turn: Option<Turn>,
+}
+
+/// An attitude by hand, in whole degrees: the Euler angles in the order in which they turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Turn {
+    /// Heading ψ \[°\], nose right positive: first, about the Earth's z axis.
+    pub psi: i16,
+    /// Pitch θ \[°\], nose-up positive: second, about the y axis as ψ has left it.
+    pub theta: i16,
+    /// Bank φ \[°\], right wing down positive: third, about the body's x axis.
+    pub phi: i16,
+}
+
+impl Turn {
+    /// Largest ψ, θ and φ either way \[°\].
+    pub const LARGEST: [i16; 3] = [180, 90, 180];
 }
 
 /// An instant of a playback.
@@ -324,6 +383,8 @@ pub struct Overlays {
     pub path: bool,
     /// The moments that push and damp.
     pub moments: bool,
+    /// Stability axes: the body's, turned about y until x lies along the steady flight.
+    pub stability_axes: bool,
 }
 
 impl Default for Overlays {
@@ -337,6 +398,7 @@ impl Default for Overlays {
             flow: true,
             path: true,
             moments: true,
+            stability_axes: false,
         }
     }
 }

@@ -34,6 +34,8 @@ const ROW_HEIGHT: f32 = 27.0;
 const LOW_FIELD: f32 = 22.0;
 /// Of the field below a unit.
 const LOWEST_FIELD: f32 = 13.0;
+/// In less height what stands above the sliders scrolls with them.
+const ROOMY: f32 = 620.0;
 /// Of what a tap on a symbol opens.
 const CARD_WIDTH: f32 = 420.0;
 /// Room for eight lines; a longer card scrolls.
@@ -59,6 +61,8 @@ pub struct Chosen<'a> {
     pub stage: &'a Stage,
     /// Key of a slider that was asked for elsewhere: it is brought into sight and gets the keyboard.
     pub asked: Option<&'static str>,
+    /// Becomes true where the equations are asked for.
+    pub equations: &'a mut bool,
 }
 
 /// The key that goes to the search field.
@@ -67,13 +71,15 @@ pub const SEARCH_KEY: Key = Key::Slash;
 /// Draws the pages and the groups of the one on screen; edits `scenario` in place.
 ///
 /// Gives the key of the row that the person is at, with pointer or keyboard. A page that has no slider because nothing follows from
-/// the scenario keeps those of the `last` findings from which something did, dimmed.
+/// the scenario keeps those of the `last` findings from which something did, dimmed. What stands `above` the sliders scrolls with them
+/// where there is little room.
 pub fn derivatives_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
-    Chosen { page, search, stage, asked }: Chosen<'_>,
+    Chosen { page, search, stage, asked, equations }: Chosen<'_>,
     rows: Rows,
     (findings, last): (&Findings, &Findings),
+    above: impl FnOnce(&mut Ui),
 ) -> Option<&'static str> {
     ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 7.0;
@@ -96,7 +102,14 @@ pub fn derivatives_ui(
     if asked.and_then(Parameter::find).is_some_and(is_hidden) {
         search.clear();
     }
-    search_ui(ui, search);
+    *equations = search_ui(ui, search);
+    let mut above = Some(above);
+    if rows == Rows::Dense
+        && ui.available_height() > ROOMY
+        && let Some(above) = above.take()
+    {
+        above(ui);
+    }
     let help = if rows == Rows::Dense { HELP_HEIGHT } else { 0.0 };
     let height = (ui.available_height() - help).max(120.0);
     let mut touched = None;
@@ -105,6 +118,9 @@ pub fn derivatives_ui(
     finger::scroll_area_ui(ui, name, area, |ui| {
         if rows == Rows::Dense {
             ui.spacing_mut().item_spacing.y = 0.0;
+        }
+        if let Some(above) = above.take() {
+            above(ui);
         }
         let filter = Filter { search, stage };
         let listed = |scenario: &Scenario| parameters().any(|p| is_listed(p, scenario, *page, filter));
@@ -155,12 +171,14 @@ fn groups_ui(
     touched
 }
 
-/// A field that narrows the list.
-fn search_ui(ui: &mut Ui, search: &mut String) {
+/// A field that narrows the list, and the way to the equations; says whether they are asked for.
+fn search_ui(ui: &mut Ui, search: &mut String) -> bool {
     let palette = Palette::of(ui);
     ui.horizontal(|ui| {
         let hint = RichText::new("Find a derivative (/)").font(theme::small()).color(palette.weak);
-        let width = ui.available_width() - if search.is_empty() { 0.0 } else { 26.0 };
+        let equations = Symbol::parse("ẋ = A x").job(theme::sizes(ui).inline_symbol, palette.text);
+        let to_equations = ui.painter().layout_job(equations.clone()).size().x + 24.0;
+        let width = ui.available_width() - to_equations - if search.is_empty() { 0.0 } else { 26.0 };
         let field = TextEdit::singleline(search)
             .hint_text(hint)
             .desired_width(width)
@@ -186,7 +204,10 @@ fn search_ui(ui: &mut Ui, search: &mut String) {
         {
             search.clear();
         }
-    });
+        let button = ui.add(Button::new(equations)).accessible_name(words::equations::TITLE);
+        button.on_hover_text("The equations, alone and large (E)").clicked()
+    })
+    .inner
 }
 
 /// Of the sliders of a page, those that are wanted.

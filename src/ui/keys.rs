@@ -54,7 +54,7 @@ const fn control(key: Key, shown: &'static str, command: Command, text: &'static
 }
 
 /// The longer combination of a key stands after the shorter: they are tried from the end.
-const SHORTCUTS: [Shortcut; 12] = [
+const SHORTCUTS: [Shortcut; 13] = [
     control(Key::Z, "Ctrl Z", Command::Undo, "Undo; a whole drag is one step"),
     Shortcut {
         modifiers: Modifiers::COMMAND.plus(Modifiers::SHIFT),
@@ -68,6 +68,7 @@ const SHORTCUTS: [Shortcut; 12] = [
     plain(Key::P, "P", Command::Maximise(Pane::Poles), "Maximise the pole map, or restore it"),
     plain(Key::A, "A", Command::Maximise(Pane::Aircraft), "Maximise the aircraft, or restore it"),
     plain(Key::R, "R", Command::Maximise(Pane::Response), "Maximise the response, or restore it"),
+    plain(Key::E, "E", Command::Maximise(Pane::Equations), "The equations alone and large, or back"),
     plain(Key::Escape, "Esc", Command::Restore, "Restore the maximised pane"),
     plain(Key::G, "G", Command::Pin, "Pin this state, or unpin it"),
     plain(Key::L, "L", Command::CopyLink, "Copy the whole scene as a link"),

@@ -7,6 +7,7 @@ mod arrow_keys;
 mod chart;
 mod curtain;
 mod derivatives;
+mod equations;
 mod finger;
 mod flight_pane;
 mod fonts;

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`approximation`] | textbook approximations |
 //! | [`disturbance`] | disturbances and their shapes |
+//! | [`equations`] | the rows and entries of the equations |
 //! | `errors` | why something can't be had: `Display` of the errors |
 //! | [`frequency`] | frequency responses |
 //! | [`lesson`] | what is said of answers to the questions of lessons |
@@ -29,6 +30,7 @@
 
 pub mod approximation;
 pub mod disturbance;
+pub mod equations;
 mod errors;
 pub mod frequency;
 pub mod lesson;

@@ -1,7 +1,7 @@
 //! Parts of the page.
 
 use crate::flight::aircraft::plane::Plane;
-use crate::scenario::view::{Pane, StandardView, Tab};
+use crate::scenario::view::{Entries, Pane, StandardView, Tab};
 
 /// A tab of the responses.
 pub const fn tab(tab: Tab) -> &'static str {
@@ -13,12 +13,31 @@ pub const fn tab(tab: Tab) -> &'static str {
     }
 }
 
+/// As what the entries of the equations stand.
+pub const fn entries(entries: Entries) -> &'static str {
+    match entries {
+        Entries::Numbers => "Numbers",
+        Entries::Symbols => "Symbols",
+        Entries::Full => "In full",
+    }
+}
+
+/// The same where it can't be seen.
+pub const fn entries_in_words(entries: Entries) -> &'static str {
+    match entries {
+        Entries::Numbers => "Entries as numbers",
+        Entries::Symbols => "Entries as symbols",
+        Entries::Full => "Entries as what they are made of",
+    }
+}
+
 /// The button of a pane.
 pub const fn maximise(pane: Pane) -> &'static str {
     match pane {
         Pane::Poles => "Maximise the pole map",
         Pane::Aircraft => "Maximise the aircraft",
         Pane::Response => "Maximise the response",
+        Pane::Equations => "Maximise the equations",
     }
 }
 

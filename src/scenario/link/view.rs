@@ -4,7 +4,8 @@
 //! A value that is no good is left out as a whole, with one sentence.
 
 use super::super::view::{
-    Camera, Details, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView, StandardView, Tab, View,
+    Camera, Details, Entries, EquationsView, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView,
+    StandardView, Tab, Turn, View,
 };
 use super::super::{Hidden, Lock, Page, Parameter, Part, Scenario, Stage, parameters};
 use super::notice::Notice;
@@ -29,7 +30,7 @@ impl View {
 
     /// All pieces, in their order.
     fn pieces(&self) -> Vec<(String, String)> {
-        let Self { stage, page, maximised, marks, details, response, flight } = self;
+        let Self { stage, page, maximised, marks, details, response, flight, equations } = self;
         let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
         let mut pieces: Vec<(String, String)> = [
             ("page", Some(page.in_links())),
@@ -60,6 +61,9 @@ impl View {
             ("pane", word(maximised.map(Keyed::in_links))),
             ("camera", camera_text(flight.camera)),
             ("drawn", listed(&words::OVERLAYS, flight.overlays.flags())),
+            ("turn", flight.turn.map_or_else(String::new, turn_text)),
+            ("entries", equations.entries.in_links().to_owned()),
+            ("coloured", word(words::word_of(&words::COLOURED, equations.coloured))),
             ("rate", word(words::word_of(&words::RATES, flight.pace.rate))),
             ("loop", word(words::word_of(&words::LOOPS, flight.pace.is_looping))),
             ("t", hundredths(flight.instant.time)),
@@ -85,6 +89,9 @@ impl View {
         }
         view.maximised = pieces.take_as("pane", Pane::by_key);
         view.flight.read(pieces);
+        let EquationsView { entries, coloured } = &mut view.equations;
+        *entries = pieces.take_as("entries", Entries::by_key).unwrap_or(*entries);
+        *coloured = pieces.take_word("coloured", &words::COLOURED).unwrap_or(*coloured);
         if let Some(page) = pieces.take_as("page", Page::by_key) {
             if page.is_of(scenario) {
                 view.page = page;
@@ -127,11 +134,22 @@ impl ResponseView {
 impl FlightView {
     fn read(&mut self, pieces: &mut Pieces) {
         self.camera = pieces.take_as("camera", read_camera).unwrap_or_default();
-        if let Some([body_axes, earth_axes, angles, rates, forces, flow, path, moments]) =
+        if let Some([body_axes, earth_axes, angles, rates, forces, flow, path, moments, stability_axes]) =
             pieces.take_as("drawn", |text| flags(&words::OVERLAYS, text))
         {
-            self.overlays = Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments };
+            self.overlays = Overlays {
+                body_axes,
+                earth_axes,
+                angles,
+                rates,
+                forces,
+                flow,
+                path,
+                moments,
+                stability_axes,
+            };
         }
+        self.turn = pieces.take_as("turn", read_turn);
         let Pace { rate, is_looping } = &mut self.pace;
         *rate = pieces.take_word("rate", &words::RATES).unwrap_or(*rate);
         *is_looping = pieces.take_word("loop", &words::LOOPS).unwrap_or(*is_looping);
@@ -154,9 +172,9 @@ impl Details {
 }
 
 impl Overlays {
-    const fn flags(self) -> [bool; 8] {
-        let Self { body_axes, earth_axes, angles, rates, forces, flow, path, moments } = self;
-        [body_axes, earth_axes, angles, rates, forces, flow, path, moments]
+    const fn flags(self) -> [bool; 9] {
+        let Self { body_axes, earth_axes, angles, rates, forces, flow, path, moments, stability_axes } = self;
+        [body_axes, earth_axes, angles, rates, forces, flow, path, moments, stability_axes]
     }
 }
 
@@ -199,6 +217,18 @@ fn read_camera(text: &str) -> Option<Camera> {
         && (50..=100_000).contains(&distance);
     let [azimuth, elevation] = [azimuth, elevation].map(|x| (x as f32).to_radians());
     fits.then(|| Camera::new(azimuth, elevation, distance as f32 / 100.0))
+}
+
+/// ψ, θ and φ in the order in which they turn.
+fn turn_text(Turn { psi, theta, phi }: Turn) -> String {
+    format!("{psi}.{theta}.{phi}")
+}
+
+fn read_turn(text: &str) -> Option<Turn> {
+    let angles: Vec<i16> = text.split('.').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    let [psi, theta, phi] = angles[..] else { return None };
+    let fits = |(angle, largest): (&i16, i16)| (-largest..=largest).contains(angle);
+    angles.iter().zip(Turn::LARGEST).all(fits).then_some(Turn { psi, theta, phi })
 }
 
 /// Outputs of a plane, joined by points.

@@ -50,8 +50,12 @@ pub(super) const MARKS: [&str; 2] = ["approximations", "levels"];
 
 pub(super) const DETAILS: [&str; 3] = ["shape", "levels", "approximations"];
 
-pub(super) const OVERLAYS: [&str; 8] =
-    ["body", "earth", "angles", "rates", "forces", "flow", "path", "moments"];
+pub(super) const OVERLAYS: [&str; 9] =
+    ["body", "earth", "angles", "rates", "forces", "flow", "path", "moments", "stability"];
+
+/// The mode by whose sensitivity the equations are coloured, counted from one.
+pub(super) const COLOURED: [(&str, Option<usize>); 5] =
+    [("1", Some(0)), ("2", Some(1)), ("3", Some(2)), ("4", Some(3)), (NOTHING, None)];
 
 /// The mode flown alone, counted from one as a person does.
 pub(super) const MODES: [(&str, usize); 4] = [("1", 0), ("2", 1), ("3", 2), ("4", 3)];

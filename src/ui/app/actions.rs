@@ -9,7 +9,7 @@ use super::{App, PhonePane, Pinned};
 use crate::content::Aircraft;
 use crate::findings::{seen_in, watched_at};
 use crate::flight::aircraft::plane::Plane;
-use crate::scenario::view::{Instant, Pace};
+use crate::scenario::view::{Instant, Pace, Pane};
 use crate::scenario::{Choice, Disturbance, Scenario, Source};
 use crate::ui::keys::Command;
 use crate::ui::theme::Look;
@@ -52,6 +52,7 @@ impl App {
             Command::Play => self.panes.flight.toggle(),
             Command::Maximise(pane) => {
                 self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
+                self.go_to_equations();
             }
             // What is in front first.
             Command::Restore if self.panes.help || self.panes.source => {
@@ -62,6 +63,13 @@ impl App {
             Command::Help => self.panes.help = !self.panes.help,
         }
         None
+    }
+
+    /// On a phone the equations stand alone in a pane of their own.
+    pub(super) fn go_to_equations(&mut self) {
+        if self.view.maximised == Some(Pane::Equations) {
+            self.panes.phone_pane = PhonePane::Equations;
+        }
     }
 
     /// Does what was asked for; whatever was edited just before it is a step of its own.

@@ -29,7 +29,10 @@ pub(super) enum LessonPane {
     #[default]
     Closed,
     /// The lesson of a place is on its way; whether its file has been asked for.
-    Coming { place: LessonPlace, is_asked: bool },
+    Coming {
+        place: LessonPlace,
+        is_asked: bool,
+    },
     Open(Session),
     /// Why it can't be opened, each a sentence.
     Faulty(Vec<String>),

@@ -17,6 +17,8 @@ use crate::words;
 const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
+/// Of more tabs of a phone each is narrower.
+const MOST_TABS: usize = 4;
 /// In a narrower pane the heading has a row of its own.
 const SLIM: f32 = 265.0;
 /// At the right end of a heading, for the button that puts the pane alone beside the sliders.
@@ -101,9 +103,14 @@ impl App {
                     self.pane_ui(ui, Pane::Aircraft, inset(aircraft, [gap, 0.0, 0.0, 0.0]));
                 }
                 let below: &[(Pane, f32)] = if beside {
-                    &[(Pane::Response, 480.0)]
+                    &[(Pane::Response, 480.0), (Pane::Equations, 420.0)]
                 } else {
-                    &[(Pane::Poles, 290.0), (Pane::Response, 560.0), (Pane::Aircraft, 360.0)]
+                    &[
+                        (Pane::Poles, 290.0),
+                        (Pane::Response, 560.0),
+                        (Pane::Aircraft, 360.0),
+                        (Pane::Equations, 420.0),
+                    ]
                 };
                 for &(pane, height) in below {
                     if !self.view.stage.has(pane.part()) {
@@ -153,9 +160,13 @@ impl App {
             (PhonePane::Modes, Part::Modes, "Modes"),
             (PhonePane::Response, Part::Response, "Response"),
             (PhonePane::Aircraft, Part::Aircraft, "Aircraft"),
+            (PhonePane::Equations, Part::Equations, words::equations::TITLE),
         ];
+        let enlarged = self.view.maximised == Some(Pane::Equations);
         let of_lesson = self.has_lesson().then_some((PhonePane::Lesson, "Lesson"));
-        let staged = panes.iter().filter(|(_, part, _)| self.view.stage.has(*part));
+        let staged = panes.iter().filter(|(pane, part, _)| {
+            self.view.stage.has(*part) || *pane == PhonePane::Equations && enlarged
+        });
         let staged: Vec<(PhonePane, &str)> =
             of_lesson.into_iter().chain(staged.map(|&(pane, _, text)| (pane, text))).collect();
         let Some(&(first, _)) = staged.first() else {
@@ -166,7 +177,11 @@ impl App {
             self.panes.phone_pane = first;
         }
         Panel::top("panes").frame(ground).show(ui, |ui| {
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
+                if staged.len() > MOST_TABS {
+                    ui.spacing_mut().button_padding.x = 6.0;
+                    ui.spacing_mut().item_spacing.x = 2.0;
+                }
                 for &(pane, text) in &staged {
                     ui.selectable_value(&mut self.panes.phone_pane, pane, text);
                 }
@@ -196,6 +211,12 @@ impl App {
             PhonePane::Aircraft => {
                 self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
                 self.aircraft_ui(ui);
+                None
+            }
+            PhonePane::Equations => {
+                let area = ScrollArea::vertical().auto_shrink(false);
+                finger::scroll_area_ui(ui, "equations", area, |ui| self.equations_ui(ui));
+                self.play(ui);
                 None
             }
             PhonePane::Response => {
@@ -247,6 +268,11 @@ impl App {
                     self.aircraft_ui(ui);
                 }
                 Pane::Response => self.responses_ui(ui, Rows::Dense),
+                Pane::Equations => {
+                    theme::heading(ui, RichText::new(words::equations::TITLE).heading(), 2);
+                    let area = ScrollArea::vertical().auto_shrink(false);
+                    finger::scroll_area_ui(ui, "equations", area, |ui| self.equations_ui(ui));
+                }
             }
         });
         let maximised = self.view.maximised == Some(pane);
@@ -274,36 +300,34 @@ impl Pane {
             Self::Poles => Part::Poles,
             Self::Aircraft => Part::Aircraft,
             Self::Response => Part::Response,
+            Self::Equations => Part::Equations,
         }
     }
 }
 
-/// Where the panes of a stage stand on a wide screen: poles and aircraft beside each other, the responses below.
+/// Where the panes of a stage stand on a wide screen: poles and aircraft beside each other, responses and equations below.
 fn places(stage: &Stage, room: Rect) -> Vec<(Pane, Rect)> {
-    let above: Vec<Pane> =
-        [Pane::Poles, Pane::Aircraft].into_iter().filter(|pane| stage.has(pane.part())).collect();
-    let (upper, lower) = match (above.is_empty(), stage.has(Part::Response)) {
-        (_, false) => (room, None),
-        (true, true) => (room, Some(room)),
-        (false, true) => {
-            let (upper, lower) = room.split_top_bottom_at_y(room.top() + 0.47 * room.height());
-            let gap = 0.5 * PANE_GAP;
-            (inset(upper, [0.0, 0.0, 0.0, gap]), Some(inset(lower, [0.0, 0.0, gap, 0.0])))
-        }
-    };
-    let mut places = Vec::new();
-    if let &[left, right] = above.as_slice() {
-        let (poles, aircraft) = upper.split_left_right_at_fraction(0.56);
-        let gap = 0.5 * PANE_GAP;
-        places.extend([
-            (left, inset(poles, [0.0, gap, 0.0, 0.0])),
-            (right, inset(aircraft, [gap, 0.0, 0.0, 0.0])),
-        ]);
+    let on = |panes: [Pane; 2]| panes.into_iter().filter(|pane| stage.has(pane.part())).collect::<Vec<_>>();
+    let (above, below) = (on([Pane::Poles, Pane::Aircraft]), on([Pane::Response, Pane::Equations]));
+    let (upper, lower) = if above.is_empty() || below.is_empty() {
+        (room, room)
     } else {
-        places.extend(above.into_iter().map(|pane| (pane, upper)));
-    }
-    places.extend(lower.map(|place| (Pane::Response, place)));
-    places
+        let (upper, lower) = room.split_top_bottom_at_y(room.top() + 0.47 * room.height());
+        let gap = 0.5 * PANE_GAP;
+        (inset(upper, [0.0, 0.0, 0.0, gap]), inset(lower, [0.0, 0.0, gap, 0.0]))
+    };
+    beside(&above, upper, 0.56).chain(beside(&below, lower, 0.5)).collect()
+}
+
+/// Panes beside each other, the first of two as wide as a share of the room.
+fn beside(panes: &[Pane], room: Rect, share: f32) -> impl Iterator<Item = (Pane, Rect)> {
+    let (left, right) = room.split_left_right_at_fraction(share);
+    let gap = 0.5 * PANE_GAP;
+    let places = match panes.len() {
+        2 => [inset(left, [0.0, gap, 0.0, 0.0]), inset(right, [gap, 0.0, 0.0, 0.0])],
+        _ => [room, room],
+    };
+    panes.to_vec().into_iter().zip(places)
 }
 
 /// The frame of what stands on the left and right.

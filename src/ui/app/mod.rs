@@ -29,6 +29,7 @@ use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::link::{self, Notice};
 use crate::scenario::{Choice, Hidden, Part, Scenario, Source, View};
 use crate::ui::curtain::Curtain;
+use crate::ui::equations::EquationsPane;
 use crate::ui::flight_pane::FlightPane;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
@@ -57,6 +58,7 @@ enum PhonePane {
     Modes,
     Response,
     Aircraft,
+    Equations,
 }
 
 /// The panes as they are at the moment: what nobody wants to find again, or send to others.
@@ -65,6 +67,7 @@ struct Panes {
     poles: PoleMap,
     responses: Responses,
     flight: FlightPane,
+    equations: EquationsPane,
     /// Whether the sheet of keys is open.
     help: bool,
     /// Whether the sheet of lessons is open.
@@ -197,6 +200,7 @@ impl App {
         self.pinned = opened.pinned.map(|scenario| Arc::new(Pinned::new(scenario)));
         self.scenario = opened.scenario;
         self.view = opened.view;
+        self.go_to_equations();
         // From here on it is that of the playback.
         self.panes.flight.begin(std::mem::take(&mut self.view.flight.instant));
         self.panes.responses.leave();

@@ -7,10 +7,11 @@ use egui::{Align, Layout, RichText, Ui};
 use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
-use crate::scenario::view::Marks;
+use crate::scenario::view::{Marks, Pane};
 use crate::scenario::{Hidden, Page, Parameter, Source, View, parameters};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::{Chosen, Filter, Rows, derivatives_ui, is_listed};
+use crate::ui::equations::{Size, Wish};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::overall_level::overall_level_ui;
 use crate::ui::poles::{PoleMapContent, shows_approximations, shows_levels};
@@ -23,12 +24,20 @@ impl App {
             self.view.page = Page::of(&self.scenario);
         }
         let (last, _) = self.shown();
+        let (mut enlarge, mut wish) = (false, Wish::default());
         self.panes.touched = {
-            let Panes { search, asked, .. } = &mut self.panes;
-            let View { page, stage, .. } = &mut self.view;
-            let chosen = Chosen { page, search, stage, asked: asked.take() };
-            derivatives_ui(ui, &mut self.scenario, chosen, rows, (&self.findings, &last))
+            let Panes { search, asked, equations: of_equations, .. } = &mut self.panes;
+            let View { page, stage, equations, maximised, .. } = &mut self.view;
+            let beside = *page == Page::Matrix && *maximised != Some(Pane::Equations);
+            let chosen = Chosen { page, search, stage, asked: asked.take(), equations: &mut enlarge };
+            let above = |ui: &mut Ui| {
+                if beside {
+                    wish = of_equations.show(ui, &last, equations, Size::Beside);
+                }
+            };
+            derivatives_ui(ui, &mut self.scenario, chosen, rows, (&self.findings, &last), above)
         };
+        self.grant(ui, Wish { enlarge: enlarge || wish.enlarge, ..wish });
         self.panes.explained = self.panes.touched.unwrap_or(self.panes.explained);
         let filter = Filter { search: &self.panes.search, stage: &self.view.stage };
         let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, filter);
@@ -38,6 +47,29 @@ impl App {
         }
         if rows == Rows::Dense {
             crate::ui::derivatives::help_ui(ui, self.panes.explained);
+        }
+    }
+
+    /// The equations alone.
+    pub(super) fn equations_ui(&mut self, ui: &mut Ui) {
+        let findings = self.shown_ui(ui);
+        let wish = self.panes.equations.show(ui, &findings, &mut self.view.equations, Size::Alone);
+        self.grant(ui, wish);
+    }
+
+    /// Goes to the slider that is asked for in the equations, or puts them alone.
+    fn grant(&mut self, ui: &Ui, Wish { touched, asked, enlarge }: Wish) {
+        self.panes.touched = touched.or(self.panes.touched);
+        if let Some(parameter) = asked {
+            self.view.page = parameter.page.unwrap_or(self.view.page);
+            self.panes.asked = Some(parameter.key);
+            self.panes.phone_pane = PhonePane::Derivatives;
+            ui.request_repaint();
+        }
+        if enlarge {
+            self.view.maximised = Some(Pane::Equations);
+            self.go_to_equations();
+            ui.request_repaint();
         }
     }
 

@@ -1,0 +1,251 @@
+//! The equations ẋ = A x + B δ: both matrices, the chosen row in words, the characteristic polynomial. Beside the sliders of their
+//! entries, or alone and large for a room.
+
+mod formula;
+mod matrix;
+
+use egui::{Button, Color32, ComboBox, Label, RichText, TextFormat, Ui};
+
+use self::formula::{Writing, factor, polynomial};
+use self::matrix::{Matrices, Picked, Place, matrices_ui};
+use super::symbol::{Symbol, prose};
+use super::theme::{self, Palette};
+use crate::findings::{Equations, Findings};
+use crate::flight::modes::mode::Mode;
+use crate::flight::modes::sensitivity::REPEATED_CONDITION;
+use crate::key::Keyed as _;
+use crate::number::trimmed;
+use crate::scenario::Parameter;
+use crate::scenario::view::{Entries, EquationsView};
+use crate::words;
+
+/// Significant digits of an entry beside the sliders, and where it is alone.
+const DIGITS: [usize; 2] = [3, 4];
+/// Of the equations alone, smallest and largest type over that of the page, and the width that has the type of the page \[points\].
+const LARGER: [f32; 2] = [1.0, 2.2];
+const USUAL_WIDTH: f32 = 480.0;
+
+/// Where the equations stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// Beside the sliders of their entries.
+    Beside,
+    /// Alone, for a room.
+    Alone,
+}
+
+/// What a person asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wish {
+    /// The slider of the entry that the pointer is over.
+    pub touched: Option<&'static str>,
+    /// The slider to go to.
+    pub asked: Option<&'static Parameter>,
+    /// Whether the equations are to stand alone.
+    pub enlarge: bool,
+}
+
+/// The equations as a person reads them.
+#[derive(Debug, Default)]
+pub struct EquationsPane {
+    /// The entry at hand; its row is said in words.
+    chosen: Place,
+}
+
+impl EquationsPane {
+    /// Draws the equations of the plane on screen.
+    pub fn show(&mut self, ui: &mut Ui, findings: &Findings, view: &mut EquationsView, size: Size) -> Wish {
+        let mut wish = Wish::default();
+        let Some(equations) = findings.equations() else { return wish };
+        let modes = findings.modes();
+        wish.enlarge = choosers_ui(ui, equations, modes, view, size);
+        let mode = view.coloured.and_then(|index| Some((index, modes.get(index)?)));
+        let writing = Writing {
+            equations,
+            entries: view.entries,
+            length: findings.scenario().aircraft.length_unit,
+            digits: DIGITS[usize::from(size == Size::Alone)],
+        };
+        let matrices = Matrices {
+            writing,
+            mode: mode
+                .map(|(index, mode)| (index, mode.naming.name, words::mode::in_a_sentence(mode.naming.name))),
+            chosen: self.chosen,
+            is_large: size == Size::Alone,
+            by_finger: theme::is_for_fingers(ui),
+        };
+        let Picked { chosen, hovered, asked, .. } = matrices_ui(ui, matrices);
+        self.chosen = chosen.unwrap_or(self.chosen);
+        let slider = |(row, column): Place| equations.slider(row, column).map(|(parameter, _)| parameter);
+        wish.touched = hovered.and_then(slider).map(|parameter| parameter.key);
+        wish.asked = asked.and_then(slider);
+        let larger = enlargement(ui, size);
+        if let Some((_, mode)) = mode {
+            // Once understood it needs no large type.
+            small_ui(ui, &legend(mode), larger.min(1.3));
+        }
+        let of_derivative = self.row_ui(ui, findings, &writing, larger);
+        wish.asked = of_derivative.or(wish.asked);
+        polynomial_ui(ui, equations, modes, larger);
+        wish
+    }
+
+    /// The chosen row in words and as an equation, and what the entry at hand is made of. Gives the derivative that is asked for.
+    fn row_ui(
+        &self,
+        ui: &mut Ui,
+        findings: &Findings,
+        writing: &Writing<'_>,
+        larger: f32,
+    ) -> Option<&'static Parameter> {
+        let (equations, palette) = (writing.equations, Palette::of(ui));
+        let (row, column) = self.chosen;
+        ui.add_space(4.0);
+        let title = words::equations::row(equations.plane, row);
+        ui.label(prose(title, theme::semibold(larger * theme::sizes(ui).value), palette.text));
+        ui.label(Symbol::parse(&writing.row(row)).job(larger * theme::sizes(ui).symbol, palette.text));
+        let Some(full) = writing.full(row, column) else {
+            small_ui(ui, words::equations::ONLY_NUMBERS, larger);
+            return None;
+        };
+        let mut asked = None;
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            theme::make_low(ui, 18.0);
+            let (number, unit) = writing.number(row, column);
+            let symbol = writing.symbol(row, column).filter(|symbol| *symbol != full);
+            let symbol = symbol.map_or_else(String::new, |symbol| format!("{symbol} = "));
+            let text = format!("{symbol}{full} = {number}");
+            let mut job = Symbol::parse(&text).job(larger * theme::sizes(ui).inline_symbol, palette.text);
+            let font = egui::FontId::proportional(larger * theme::sizes(ui).small);
+            job.append(unit, 3.0, TextFormat::simple(font, palette.weak));
+            ui.add(Label::new(job).extend());
+            let derivatives = equations.derivatives(row, column);
+            if !derivatives.is_empty() {
+                let font = egui::FontId::proportional(larger * theme::sizes(ui).small);
+                let words = RichText::new(words::equations::TO_SLIDERS).font(font).color(palette.weak);
+                ui.add(Label::new(words).extend());
+            }
+            for parameter in derivatives {
+                let symbol = Symbol::parse(parameter.symbol);
+                let job = symbol.job(larger * theme::sizes(ui).inline_symbol, palette.link());
+                let name = format!("To the slider of {} {}", parameter.name, symbol.plain());
+                let button = theme::bare_button(ui, true, Button::new(job)).accessible_name(name);
+                if button.on_hover_text(parameter.name).clicked() {
+                    asked = Some(parameter);
+                }
+            }
+        });
+        if writing.entries == Entries::Full {
+            let scenario = findings.scenario();
+            let definition = |atom: crate::findings::equations::Atom| {
+                let value = trimmed(equations.atom(scenario, atom)?, 4);
+                Some(format!("{} = {value}", atom.definition()?))
+            };
+            let mut definitions: Vec<String> =
+                writing.definitions().into_iter().filter_map(definition).collect();
+            let added = equations.added(row, column) / equations.dimension(row, column).in_si(writing.length);
+            if added != 0.0 {
+                definitions.push(words::equations::added(&trimmed(added, 4)));
+            }
+            if !definitions.is_empty() {
+                let text = definitions.join(",  ");
+                ui.label(Symbol::parse(&text).job(larger * theme::sizes(ui).inline_symbol, palette.weak));
+            }
+        }
+        asked
+    }
+}
+
+/// How much larger than on the rest of the page words and formulas are.
+fn enlargement(ui: &Ui, size: Size) -> f32 {
+    match size {
+        Size::Beside => 1.0,
+        Size::Alone => (ui.available_width() / USUAL_WIDTH).clamp(LARGER[0], LARGER[1]),
+    }
+}
+
+fn small_ui(ui: &mut Ui, text: &str, larger: f32) {
+    let font = egui::FontId::proportional(larger * theme::sizes(ui).small);
+    ui.label(RichText::new(text).font(font).color(Palette::of(ui).weak));
+}
+
+fn legend(mode: &Mode) -> String {
+    if mode.condition > REPEATED_CONDITION {
+        words::equations::NO_RATE.to_owned()
+    } else {
+        words::equations::legend(words::mode::in_a_sentence(mode.naming.name))
+    }
+}
+
+/// As what entries stand, the mode that colours them, and the way to large type. Says whether that is asked for.
+fn choosers_ui(
+    ui: &mut Ui,
+    equations: &Equations,
+    modes: &[Mode],
+    view: &mut EquationsView,
+    size: Size,
+) -> bool {
+    let mut enlarge = false;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().button_padding.x = 6.0;
+        ui.spacing_mut().item_spacing.x = 3.0;
+        let small = |text: &str| RichText::new(text).font(theme::small());
+        let has_forms = equations.form(0, 0).is_some();
+        ui.add_enabled_ui(has_forms, |ui| {
+            for &entries in Entries::VALUES {
+                // Of bare matrices there are numbers only, whatever is chosen for others.
+                let is_on = if has_forms { view.entries } else { Entries::Numbers } == entries;
+                let button = Button::selectable(is_on, small(words::view::entries(entries)));
+                let name = words::view::entries_in_words(entries);
+                let response = ui.add(button).accessible_name(name);
+                if response
+                    .on_hover_text(name)
+                    .on_disabled_hover_text(words::equations::ONLY_NUMBERS)
+                    .clicked()
+                {
+                    view.entries = entries;
+                }
+            }
+        });
+        let title = |mode: &Mode| words::mode::title(mode.naming.name);
+        let chosen =
+            view.coloured.and_then(|index| modes.get(index)).map_or(words::equations::NO_MODE, title);
+        let chooser = ComboBox::from_id_salt(("coloured", size == Size::Alone)).selected_text(small(chosen));
+        let chooser = chooser.show_ui(ui, |ui| {
+            for (index, mode) in modes.iter().enumerate() {
+                ui.selectable_value(&mut view.coloured, Some(index), title(mode));
+            }
+            ui.selectable_value(&mut view.coloured, None, words::equations::NO_MODE);
+        });
+        theme::name_chooser(chooser, words::equations::COLOURED_BY, chosen)
+            .on_hover_text("The mode by whose sensitivity the entries are coloured");
+        if size == Size::Beside {
+            let button = Button::selectable(false, "□");
+            let name = words::view::maximise(crate::scenario::view::Pane::Equations);
+            enlarge = ui.add(button).accessible_name(name).on_hover_text(name).clicked();
+        }
+    });
+    enlarge
+}
+
+/// The characteristic polynomial, and its factors in the colours of their modes, none of them broken.
+fn polynomial_ui(ui: &mut Ui, equations: &Equations, modes: &[Mode], larger: f32) {
+    let palette = Palette::of(ui);
+    let of_type = larger * theme::sizes(ui).symbol;
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.35 * of_type;
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.spacing_mut().interact_size.y = 0.0;
+        let whole = format!("{} =", polynomial(equations));
+        let formula = |ui: &mut Ui, text: &str, color: Color32| {
+            let label = Label::new(Symbol::parse(text).job(of_type, color));
+            ui.add(label.extend()).on_hover_text(words::equations::POLYNOMIAL);
+        };
+        formula(ui, &whole, palette.text);
+        for (of_mode, mode) in equations.factors.iter().zip(modes) {
+            formula(ui, &factor(*of_mode), palette.mode_text(mode.naming.name));
+        }
+    });
+}
