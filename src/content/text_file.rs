@@ -1,7 +1,9 @@
 //! A text file as it comes from a person, from a folder beside the page, or out of the build.
 
+use serde::{Deserialize, Serialize};
+
 /// A text file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TextFile {
     /// Its name, without a folder.
     pub name: String,

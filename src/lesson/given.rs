@@ -108,6 +108,16 @@ impl Answers {
         self.0.iter().filter(|(_, given)| !given.is_blank()).map(|(place, given)| (*place, given))
     }
 
+    /// Takes over from others what is missing here.
+    pub fn complete(&mut self, others: Self) {
+        for (place, given) in others.0 {
+            let own = self.0.entry(place).or_default();
+            if own.is_blank() {
+                *own = given;
+            }
+        }
+    }
+
     /// Whether nothing was given.
     pub fn is_empty(&self) -> bool {
         self.iter().next().is_none()

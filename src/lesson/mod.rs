@@ -23,6 +23,8 @@
 //! | `goal` | conditions judged on a scene, with how near they are |
 //! | `shelf` | the glossary and the references |
 //! | `course` | lessons in their order, with what they share |
+//! | `said` | what is said of answers and goals |
+//! | `record` | what a person has done in their lessons |
 //! | `check` | the proof that a lesson holds what it promises |
 
 mod answer;
@@ -35,6 +37,8 @@ mod goal;
 mod number;
 mod prediction;
 mod prediction_file;
+mod record;
+pub mod said;
 mod scene;
 mod shelf;
 mod sketch;
@@ -52,6 +56,7 @@ pub use given::{Answers, Given, Place};
 pub use goal::{Progress, progress};
 pub use number::Number;
 pub use prediction::{Choice, Item, Kind, Prediction};
+pub use record::{Record, Records};
 pub use scene::Scene;
 pub use shelf::{Entry, Reference, Shelf};
 pub use sketch::{Direction, End, Features};

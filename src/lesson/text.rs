@@ -1,10 +1,13 @@
 //! Running text: Markdown as blocks of spans, which whoever draws it lays out.
 
+use std::sync::Arc;
+
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
 use super::number::{Number, unknown};
-use crate::content::ContentError;
+use crate::content::{Aircraft, ContentError};
 use crate::content::reader::line_of;
+use crate::findings::Findings;
 
 /// Running text.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -135,6 +138,19 @@ impl Text {
     /// All of its spans.
     pub fn spans(&self) -> impl Iterator<Item = &Span> {
         self.blocks.iter().flat_map(|block| block.spans())
+    }
+
+    /// Its words without any form, numbers measured at a scene.
+    pub fn plain_at(&self, findings: &Findings, aircraft: &[Arc<Aircraft>]) -> String {
+        let words = self.spans().map(|span| match &span.what {
+            What::Words(words) | What::Symbol(words) => words.clone(),
+            What::Number(number) => match number.value(findings, aircraft) {
+                Some(Ok(value)) => value,
+                Some(Err(_)) | None => "–".to_owned(),
+            },
+            What::Break => " ".to_owned(),
+        });
+        words.collect()
     }
 
     /// Its words without any form, numbers left out.
