@@ -9,11 +9,23 @@ use egui::Vec2;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::scenario::Parameter;
+use eigenwing::ui::FileRequest;
 use page::{PHONE, Page, WIDE, app, open, page, type_into};
 
 fn click(harness: &mut Page, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click_accesskit();
     harness.run();
+}
+
+/// How many steps the chapter on longitudinal modes has.
+fn steps() -> usize {
+    let text = include_str!("../assets/lessons/longitudinal.md");
+    text.lines().filter(|line| line.starts_with("## ")).count()
+}
+
+/// Where the person is in it.
+fn at_step(step: usize) -> String {
+    format!("Step {step} of {}", steps())
 }
 
 fn count(harness: &Page, label: &str) -> usize {
@@ -48,12 +60,12 @@ fn a_step_asks_before_it_shows_and_says_why_a_wrong_answer_is_wrong() {
         // The numbers of the text are the model's: 2.42 s is the published period of the Navion's short period.
         assert!(count(&harness, "2.42") > 0, "{size}");
         click(&mut harness, "Next →");
-        harness.get_by_label("Step 2 of 7");
+        harness.get_by_label(&at_step(2));
         // What was answered stays.
         click(&mut harness, "← Back");
         harness.get_by_label("Not so.");
         click(&mut harness, "Close the lesson");
-        assert_eq!(count(&harness, "Step 1 of 7"), 0, "{size}");
+        assert_eq!(count(&harness, "Step 1 of"), 0, "{size}");
     }
 }
 
@@ -123,10 +135,10 @@ fn a_task_offers_its_own_sliders() {
     let mut harness = page(WIDE);
     open_lesson(&mut harness, "Longitudinal modes");
     let mut offers = 0;
-    for step in 1..7 {
+    for step in 1..steps() {
         let next = harness.query_by_label("Next →").is_some();
         click(&mut harness, if next { "Next →" } else { "Skip →" });
-        harness.get_by_label(&format!("Step {} of 7", step + 1));
+        harness.get_by_label(&at_step(step + 1));
         if count(&harness, "Move the centre of gravity until") > 0 {
             harness.get_by_role_and_label(Role::Slider, "shift of the centre of gravity Δx_cg/c");
             offers += 1;
@@ -182,7 +194,8 @@ fn a_lesson_that_is_dropped_on_the_page_opens_and_one_with_a_fault_says_where() 
         drop_file(&mut harness, "own.md", OWN.as_bytes());
         harness.get_by_label_contains("Is it fast?");
         assert_eq!(app(&harness).scenario().aircraft.key, "x15", "its scene is on screen");
-        assert!(!app(&harness).link().contains("lesson"), "nobody else has this file");
+        assert!(app(&harness).link().ends_with("&lesson=own.md&step=1"));
+        assert!(!app(&harness).link_with_instant().contains("lesson"), "nobody else has this file");
         let faulty = OWN.replace("says = \"No\"", "sais = \"No\"");
         drop_file(&mut harness, "own.md", faulty.as_bytes());
         let told = harness.get_by_label_contains("own.md").accesskit_node().value().unwrap_or_default();
@@ -200,13 +213,79 @@ fn a_lesson_that_is_dropped_on_the_page_opens_and_one_with_a_fault_says_where() 
 fn a_link_leads_to_a_step_of_a_lesson_with_its_scene_or_with_one_of_its_own() {
     let mut harness = page(WIDE);
     open(&mut harness, "#v=1&lesson=longitudinal&step=4");
-    harness.get_by_label("Step 4 of 7");
+    harness.get_by_label(&at_step(4));
     assert!(app(&harness).link().ends_with("&lesson=longitudinal&step=4"), "{}", app(&harness).link());
     open(&mut harness, "#v=1&ac=x15&lesson=longitudinal&step=2");
-    harness.get_by_label("Step 2 of 7");
+    harness.get_by_label(&at_step(2));
     assert_eq!(app(&harness).scenario().aircraft.key, "x15", "the link's own scene");
     open(&mut harness, "#v=1&ac=navion&lesson=longitudinal&step=99");
-    harness.get_by_label("Step 7 of 7");
+    harness.get_by_label(&at_step(steps()));
     open(&mut harness, "#v=1&ac=navion&lesson=gliding");
     harness.get_by_label_contains("There is no lesson “gliding”.");
+}
+
+/// The page as it is loaded again on the same device: its storage and its address.
+fn reload(harness: &mut Page, stored: &str) -> Page {
+    let link = app(harness).link();
+    let mut loaded = page(WIDE);
+    loaded.state_mut().as_mut().expect("the page").take_up_records(stored);
+    open(&mut loaded, &link);
+    loaded
+}
+
+fn stored(harness: &mut Page) -> String {
+    harness.state_mut().as_mut().expect("the page").take_changed_records().expect("something was done")
+}
+
+#[test]
+fn a_reload_in_the_middle_loses_nothing_and_a_report_is_taken_up_elsewhere() {
+    let mut harness = page(WIDE);
+    harness.state_mut().as_mut().expect("the page").offer_files();
+    open_lesson(&mut harness, "Longitudinal modes");
+    click(&mut harness, "It swings for minutes.");
+    click(&mut harness, "Answer");
+    click(&mut harness, "Next →");
+    let records = stored(&mut harness);
+    let mut loaded = reload(&mut harness, &records);
+    loaded.get_by_label(&at_step(2));
+    click(&mut loaded, "← Back");
+    loaded.get_by_label("Not so.");
+    // A lesson that was dropped comes back too, though no link leads to it.
+    drop_file(&mut harness, "own.md", OWN.as_bytes());
+    click(&mut harness, "Yes");
+    click(&mut harness, "Answer");
+    let records = stored(&mut harness);
+    let loaded = reload(&mut harness, &records);
+    loaded.get_by_label("That is right.");
+    // The sheet says what is done, and saves a report, which another device takes up.
+    click(&mut harness, "Lessons: begin with a question");
+    let done = format!("1 of {} steps done", steps());
+    assert_eq!(count(&harness, &done), 1);
+    click(&mut harness, "Save my report");
+    let saved = harness.state_mut().as_mut().expect("the page").take_file_request();
+    let Some(FileRequest::Save(report)) = saved else { panic!("{saved:?}") };
+    let mut elsewhere = page(PHONE);
+    drop_file(&mut elsewhere, "eigenwing-report.html", report.text.as_bytes());
+    assert_eq!(count(&elsewhere, &done), 1);
+    drop_file(&mut elsewhere, "photos.html", b"<html>");
+    assert_eq!(count(&elsewhere, "“photos.html” is no report of a lesson"), 1);
+}
+
+#[test]
+fn a_first_visit_is_greeted_once_with_three_ways_to_begin() {
+    for (way, then) in [("The course", "Go on without a lesson"), ("A riddle", "Close the lesson"), ("The workbench", "Pole map")] {
+        for size in [WIDE, PHONE] {
+            let mut harness = page(size);
+            assert_eq!(count(&harness, "New here? Start with a question."), 0, "only where it was asked for");
+            harness.state_mut().as_mut().expect("the page").greet();
+            harness.run();
+            assert_eq!(count(&harness, "New here? Start with a question."), 1);
+            click(&mut harness, way);
+            assert!(!app(&harness).greets());
+            assert_eq!(count(&harness, "New here? Start with a question."), 0);
+            if size == WIDE {
+                assert!(count(&harness, then) > 0, "{way}");
+            }
+        }
+    }
 }

@@ -8,7 +8,7 @@ use js_sys::Uint8Array;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{File, HtmlInputElement, Response};
+use web_sys::{Blob, BlobPropertyBag, File, HtmlAnchorElement, HtmlInputElement, Response, Url};
 
 use crate::content::{TextFile, lessons};
 use crate::ui::{App, FileRequest};
@@ -44,16 +44,24 @@ impl Files {
                 here.borrow_mut().push((request, files));
                 ctx.request_repaint();
             };
-            if matches!(request, FileRequest::Pick) {
-                pick(deliver);
-                continue;
+            match &request {
+                FileRequest::Pick => {
+                    pick(deliver);
+                    continue;
+                }
+                FileRequest::Save(file) => {
+                    // A browser that forbids it has said so to the person.
+                    let _ = save(file);
+                    continue;
+                }
+                FileRequest::Course | FileRequest::Lesson(_) | FileRequest::Dropped(_) => {}
             }
             spawn_local(async move {
                 let files = match &request {
                     FileRequest::Course => course().await,
                     FileRequest::Lesson(path) => lesson(path).await,
                     FileRequest::Dropped(files) => dropped(files).await,
-                    FileRequest::Pick => return,
+                    FileRequest::Pick | FileRequest::Save(_) => return,
                 };
                 deliver(request, files);
             });
@@ -121,6 +129,20 @@ fn pick(deliver: impl FnOnce(FileRequest, Result<Vec<TextFile>, String>) + 'stat
     });
     input.set_onchange(Some(changed.unchecked_ref()));
     input.click();
+}
+
+/// Has the browser save a page.
+fn save(file: &TextFile) -> Result<(), JsValue> {
+    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no document")?;
+    let kind = BlobPropertyBag::new();
+    kind.set_type("text/html;charset=utf-8");
+    let parts = js_sys::Array::of1(&file.text.as_str().into());
+    let url = Url::create_object_url_with_blob(&Blob::new_with_str_sequence_and_options(&parts, &kind)?)?;
+    let anchor: HtmlAnchorElement = document.create_element("a")?.dyn_into()?;
+    anchor.set_href(&url);
+    anchor.set_download(&file.name);
+    anchor.click();
+    Url::revoke_object_url(&url)
 }
 
 async fn picked(chosen: &[File]) -> Result<Vec<TextFile>, String> {

@@ -3,6 +3,7 @@
 mod address;
 mod files;
 mod look;
+mod records;
 
 use std::any::Any;
 
@@ -14,6 +15,7 @@ use web_sys::{CustomEvent, CustomEventInit, Event, HtmlCanvasElement};
 use address::AddressBar;
 use files::Files;
 use look::KeptLook;
+use records::KeptRecords;
 
 use crate::export;
 use crate::ui::App;
@@ -47,14 +49,16 @@ async fn run() -> Result<(), JsValue> {
     offer_handle(&runner)?;
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
         let mut app = App::new(&cc.egui_ctx)?;
+        // Before the address, which may lead to a lesson that was begun.
+        let records = KeptRecords::start(&mut app);
         let address = AddressBar::start(&mut app);
         let look = KeptLook::start(&cc.egui_ctx);
-        app.can_pick_files();
+        app.offer_files();
         if reduced_motion {
             cc.egui_ctx.all_styles_mut(|style| style.animation_time = 0.0);
         }
         cc.egui_ctx.add_plugin(egui_dom_mirror::Mirror);
-        Ok(Box::new(Page { app, address, files: Files::default(), look, frames: 0 }))
+        Ok(Box::new(Page { app, address, files: Files::default(), records, look, frames: 0 }))
     });
     runner.start(canvas, WebOptions::default(), create).await
 }
@@ -87,6 +91,7 @@ struct Page {
     app: App,
     address: AddressBar,
     files: Files,
+    records: KeptRecords,
     look: KeptLook,
     frames: u32,
 }
@@ -104,6 +109,7 @@ impl eframe::App for Page {
         self.app.ui(ui);
         self.files.fetch(ui, &mut self.app);
         self.address.follow(ui, &self.app);
+        self.records.follow(&mut self.app);
         self.look.follow(ui);
         if let Some(sentence) = self.app.take_unsaid() {
             egui_dom_mirror::announce(&sentence);

@@ -29,6 +29,13 @@ impl LessonPlace {
         format!("&lesson={}&step={}", self.address, self.step + 1)
     }
 
+    /// The address of a file that a person has brought, by its name: whatever can't stand in a link is a hyphen.
+    pub fn address_of(name: &str) -> String {
+        let plain = |c: char| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '-' };
+        let name: String = name.chars().map(plain).take(LONGEST_ADDRESS - 2).collect();
+        if name.starts_with('.') || name.is_empty() { format!("-{name}") } else { name }
+    }
+
     /// Whether text can be the address of a lesson: a key, or a path below the page's own folder. Never another site.
     pub fn is_address(text: &str) -> bool {
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/".contains(c);

@@ -47,15 +47,17 @@ pub enum FileRequest {
     Lesson(String),
     /// Those that a person chooses.
     Pick,
+    /// This one is to be saved.
+    Save(TextFile),
     /// Those that a person has dropped on the page.
     #[cfg(target_arch = "wasm32")]
     Dropped(Vec<egui::DroppedFileHandle>),
 }
 
 impl App {
-    /// Whether a person can be asked for files. They can always be dropped on the page.
-    pub fn can_pick_files(&mut self) {
-        self.panes.can_pick = true;
+    /// Says that files can be chosen and saved. They can always be dropped on the page.
+    pub fn offer_files(&mut self) {
+        self.panes.has_files = true;
     }
 
     /// What is to be read for the page next.
@@ -81,35 +83,50 @@ impl App {
                     // Something else has been opened since.
                     _ => return,
                 };
-                self.open_own(&files, place);
+                self.open_own(&files, place, false);
             }
             (_, Err(reason)) => self.panes.lesson = LessonPane::Faulty(vec![reason]),
             (_, Ok(files)) => self.open_files(&files),
         }
     }
 
-    /// Opens what a person has brought: a lesson, with its glossary and references where they come along.
+    /// Opens what a person has brought: a lesson, with its glossary and references where they come along, or a report of what they
+    /// have done elsewhere.
     pub fn open_files(&mut self, files: &[TextFile]) {
-        let Some(lesson) = files.iter().find(|file| file.name.ends_with(".md")) else {
-            let names: Vec<String> = files.iter().map(|file| format!("“{}”", file.name)).collect();
-            let sentence = format!("{}: expected a lesson, a file that ends with .md.", names.join(", "));
-            self.panes.lesson = LessonPane::Faulty(vec![sentence]);
-            return;
-        };
-        let place = LessonPlace { address: lesson.name.clone(), step: 0, begins: true };
-        self.open_own(files, place);
         self.panes.lessons = false;
+        if let Some(lesson) = files.iter().find(|file| file.name.ends_with(".md")) {
+            let address = LessonPlace::address_of(&lesson.name);
+            return self.open_own(files, LessonPlace { address, step: 0, begins: true }, true);
+        }
+        let is_report = |file: &&TextFile| file.name.ends_with(".html") || file.name.ends_with(".json");
+        match files.iter().find(is_report) {
+            Some(report) => self.take_up_report(report),
+            None => {
+                let names: Vec<String> = files.iter().map(|file| format!("“{}”", file.name)).collect();
+                let sentence = format!(
+                    "{}: expected a lesson, a file that ends with .md, or a report, which ends with .html.",
+                    names.join(", ")
+                );
+                self.panes.lesson = LessonPane::Faulty(vec![sentence]);
+            }
+        }
+        self.panes.phone_pane = PhonePane::Lesson;
     }
 
-    /// Opens the lesson of these files; what is wrong with them is said where it would stand.
-    fn open_own(&mut self, files: &[TextFile], place: LessonPlace) {
+    /// Opens the lesson of these files; what is wrong with them is said where it would stand. Those that nobody else has are kept
+    /// with what is done in it.
+    fn open_own(&mut self, files: &[TextFile], place: LessonPlace, keeps: bool) {
         let course = Course::read(files);
-        let course = match &self.panes.course {
-            CourseState::Here(shipped) => course.with_shelf(&shipped.shelf),
-            _ => course,
+        let course = match self.course() {
+            Some(shipped) => course.with_shelf(&shipped.shelf),
+            None => course,
         };
         match course.lessons.first() {
-            Some(_) if course.errors.is_empty() => self.begin_lesson(&course, 0, place),
+            Some(_) if course.errors.is_empty() => {
+                let record = self.records.lessons.entry(place.address.clone()).or_default();
+                record.files = if keeps { files.to_vec() } else { Vec::new() };
+                self.begin_lesson(&course, 0, place);
+            }
             _ => self.panes.lesson = LessonPane::Faulty(sentences(&course.errors)),
         }
         self.panes.phone_pane = PhonePane::Lesson;
@@ -146,6 +163,8 @@ impl App {
         let Some(course) = self.course() else { return };
         if let Some((index, _)) = course.find(&place.address) {
             self.begin_lesson(&course, index, place);
+        } else if let Some(files) = self.own_files(&place.address) {
+            self.open_own(&files, place, true);
         } else if place.address.ends_with(".md") {
             self.panes.file_requests.push(FileRequest::Lesson(place.address.clone()));
             self.panes.lesson = LessonPane::Coming { place, is_asked: true };
@@ -174,10 +193,21 @@ impl App {
         }
     }
 
-    fn begin_lesson(&mut self, course: &Course, index: usize, place: LessonPlace) {
+    /// The files of a lesson that were brought to this device.
+    fn own_files(&self, address: &str) -> Option<Vec<TextFile>> {
+        self.records.lessons.get(address).map(|record| record.files.clone()).filter(|files| !files.is_empty())
+    }
+
+    fn begin_lesson(&mut self, course: &Course, index: usize, mut place: LessonPlace) {
         let Some(lesson) = course.lessons.get(index) else { return };
+        let before = self.records.lessons.get(&place.address).cloned().unwrap_or_default();
         let begins = place.begins;
-        match Session::open(lesson.clone(), course.shelf.clone(), place, &self.aircraft) {
+        let (done, count) = before.done(lesson);
+        if begins && place.step == 0 && done < count {
+            // Where the person left it.
+            place.step = before.step;
+        }
+        match Session::open(lesson.clone(), course.shelf.clone(), place, before, &self.aircraft) {
             Ok(session) => {
                 self.panes.lesson = LessonPane::Open(session);
                 if begins {

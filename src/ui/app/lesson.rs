@@ -22,13 +22,16 @@ impl App {
             (None, CourseState::Missing(reason)) => Offer::Missing(reason),
             (None, _) => Offer::Coming,
         };
-        let (chosen, wanted) = lessons_sheet_ui(ui, &offer, self.panes.can_pick);
+        let person = self.records.person.clone();
+        let (chosen, wanted) = lessons_sheet_ui(ui, &offer, &mut self.records, self.panes.has_files);
+        self.records_changed |= self.records.person != person;
         self.panes.lessons = wanted && chosen.is_none();
         match chosen {
             Some(Chosen::Lesson(key)) => {
                 self.want_lesson(LessonPlace { address: key, step: 0, begins: true });
             }
             Some(Chosen::File) => self.panes.file_requests.push(FileRequest::Pick),
+            Some(Chosen::Report) => self.save_report(),
             Some(Chosen::Again) => {
                 self.panes.course = CourseState::Unwanted;
                 self.panes.lessons = true;
@@ -43,10 +46,10 @@ impl App {
         !matches!(self.panes.lesson, LessonPane::Closed)
     }
 
-    /// Where the person is in a lesson that a link can lead to.
-    pub(super) fn lesson_place(&self) -> Option<LessonPlace> {
+    /// Where the person is in a lesson; in one that is on this device only where that counts.
+    pub(super) fn lesson_place(&self, with_own: bool) -> Option<LessonPlace> {
         match &self.panes.lesson {
-            LessonPane::Open(session) => session.place(),
+            LessonPane::Open(session) => (with_own || !session.is_own()).then(|| session.place()),
             LessonPane::Coming { place, .. } => Some(place.clone()),
             LessonPane::Closed | LessonPane::Faulty(_) => None,
         }
@@ -83,6 +86,7 @@ impl App {
             Some(Wish::Lesson(address)) => {
                 self.want_lesson(LessonPlace { address, step: 0, begins: true });
             }
+            Some(Wish::Lessons) => self.panes.lessons = true,
             Some(Wish::Close) => {
                 self.panes.lesson = LessonPane::Closed;
                 self.view.stage = Stage::default();

@@ -2,11 +2,13 @@
 
 mod actions;
 mod course;
+mod greeting;
 mod history;
 mod layout;
 mod lesson;
 mod panes;
 mod pinned;
+mod records;
 mod staged;
 
 use std::rc::Rc;
@@ -26,6 +28,7 @@ use crate::content::{Aircraft, ContentError, embedded_aircraft};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::modes::mode_name::ModeName;
+use crate::lesson::Records;
 use crate::scenario::link::{self, Notice};
 use crate::scenario::{Choice, Hidden, Part, Scenario, Source, View};
 use crate::ui::curtain::Curtain;
@@ -76,8 +79,10 @@ struct Panes {
     lesson: LessonPane,
     /// Files that are to be read for the page.
     file_requests: Vec<FileRequest>,
-    /// Whether a person can be asked for files.
-    can_pick: bool,
+    /// Whether files can be chosen and saved.
+    has_files: bool,
+    /// Whether the line for a first visit is on screen.
+    greets: bool,
     /// Whether the sheet of the aircraft's source is open.
     source: bool,
     /// What the sliders are narrowed down to.
@@ -124,6 +129,10 @@ pub struct App {
     history: History,
     share: Share,
     panes: Panes,
+    /// What the person has done in their lessons.
+    records: Records,
+    /// Whether they have changed since they were last taken.
+    records_changed: bool,
 }
 
 impl App {
@@ -154,6 +163,8 @@ impl App {
             history: History::default(),
             share: Share::default(),
             panes: Panes { explained: "cm_alpha", ..Panes::default() },
+            records: Records::default(),
+            records_changed: false,
         })
     }
 
@@ -174,7 +185,7 @@ impl App {
 
     /// The whole scene as a link, without the `#`.
     pub fn link(&self) -> String {
-        self.link_with(&self.view)
+        self.link_with(&self.view, true)
     }
 
     /// The same with the instant at which the playback is: what a person sends on. The address bar leaves it out, since it changes in
@@ -182,13 +193,18 @@ impl App {
     pub fn link_with_instant(&self) -> String {
         let mut view = self.view.clone();
         view.flight.instant = self.panes.flight.instant();
-        self.link_with(&view)
+        self.link_with(&view, false)
     }
 
-    fn link_with(&self, view: &View) -> String {
+    /// The scene as a link, with the lesson that is open; one that is on this device only where the link stays here.
+    fn link_with(&self, view: &View, stays: bool) -> String {
+        let place = self.lesson_place(stays).map(|place| place.in_link()).unwrap_or_default();
+        self.link_of_scene(view) + &place
+    }
+
+    fn link_of_scene(&self, view: &View) -> String {
         let pinned = self.pinned.as_ref().map(|pinned| &pinned.scenario);
-        let place = self.lesson_place().map(|place| place.in_link()).unwrap_or_default();
-        link::write(&self.scenario, view, pinned) + &place
+        link::write(&self.scenario, view, pinned)
     }
 
     /// Opens the scene of a link, and says what of it can't be used. Undo goes back to what was on screen before.
@@ -248,6 +264,7 @@ impl App {
         }
         let by_bar = self.top_bar_ui(ui, width);
         self.share.notices_ui(ui);
+        self.greeting_ui(ui);
         self.refresh();
         self.hang_curtain(ui);
         if !phone && self.view.stage.has(Part::Derivatives) {
@@ -284,6 +301,7 @@ impl App {
             ui.request_discard("the scenario changed");
         }
         self.history.settle(ui, hand, &self.scene());
+        self.keep_record(ui);
     }
 
     /// Moves a pole that is dragged or moved by key.

@@ -2,6 +2,7 @@
 
 mod choose;
 mod estimate;
+mod map;
 mod order;
 mod pad;
 mod place;
@@ -12,16 +13,16 @@ mod task;
 mod text;
 mod write;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use egui::{Button, Frame, RichText, Ui};
 
 use super::theme::{self, Palette};
-use crate::content::{Aircraft, ContentError};
+use crate::content::{Aircraft, ContentError, TextFile};
 use crate::findings::Findings;
-use crate::lesson::{Answers, Lesson, Part, Place, Shelf, Step};
+use crate::lesson::{Answers, Lesson, Part, Place, Record, Shelf, Step};
 use crate::scenario::link::LessonPlace;
 use question::{Asked, question_ui};
 pub use sheet::{Chosen, Offer, lessons_sheet_ui};
@@ -36,7 +37,13 @@ pub struct Session {
     address: String,
     lesson: Rc<Lesson>,
     shelf: Rc<Shelf>,
+    /// The files that it came from, where nobody else has them.
+    files: Vec<TextFile>,
     step: usize,
+    /// Steps that have been open.
+    seen: BTreeSet<usize>,
+    /// Links to the scenes in which goals were reached, or with which their steps were left.
+    scenes: BTreeMap<Place, String>,
     /// The scene of the step as it was at its start.
     start: Rc<Findings>,
     /// Answers, and what help was asked for.
@@ -54,39 +61,75 @@ pub enum Wish {
     Lesson(String),
     /// Open the scene of the step.
     Step,
+    /// See the other lessons, and the report.
+    Lessons,
     /// Close the lesson.
     Close,
 }
 
 impl Session {
-    /// A lesson at the step of a place, or at its last if it has fewer.
+    /// A lesson at the step of a place, or at its last if it has fewer, with what was done in it before; what doesn't fit it any
+    /// more is left out.
     pub fn open(
         lesson: Rc<Lesson>,
         shelf: Rc<Shelf>,
         place: LessonPlace,
+        before: Record,
         aircraft: &[Arc<Aircraft>],
     ) -> Result<Self, ContentError> {
-        let step = place.step.min(lesson.steps.len().saturating_sub(1));
+        let count = lesson.steps.len();
+        let step = place.step.min(count.saturating_sub(1));
         let start = Rc::new(start_of(&lesson.file, lesson.steps.get(step), aircraft)?);
-        let (given, asked) = (Answers::default(), BTreeMap::new());
-        Ok(Self { address: place.address, lesson, shelf, step, start, given, asked })
+        let mut session = Self {
+            address: place.address,
+            shelf,
+            files: before.files,
+            step,
+            seen: before.seen.into_iter().filter(|step| *step < count).collect(),
+            scenes: before.scenes,
+            start,
+            given: before.answers.fitting(&lesson),
+            asked: BTreeMap::new(),
+            lesson,
+        };
+        session.seen.insert(step);
+        Ok(session)
     }
 
-    /// Where the person is, if a link can lead there: not to a file that they have opened themselves.
-    pub fn place(&self) -> Option<LessonPlace> {
-        let is_elsewhere = self.address == self.lesson.key() || self.address.contains('/');
-        is_elsewhere.then(|| LessonPlace { address: self.address.clone(), step: self.step, begins: false })
+    /// Where the person is.
+    pub fn place(&self) -> LessonPlace {
+        LessonPlace { address: self.address.clone(), step: self.step, begins: false }
     }
 
-    /// What was given to it so far.
-    pub fn given(&self) -> &Answers {
-        &self.given
+    /// Whether its file is on this device only.
+    pub fn is_own(&self) -> bool {
+        !self.files.is_empty()
     }
 
-    /// Takes up what was given before; what doesn't fit the lesson is left out.
-    pub fn take_up(&mut self, given: Answers) {
-        self.given = given.fitting(&self.lesson);
-        self.asked.clear();
+    /// What has been done in it.
+    pub fn record(&self) -> Record {
+        Record {
+            title: self.lesson.title.clone(),
+            step: self.step,
+            seen: self.seen.clone(),
+            answers: self.given.clone(),
+            scenes: self.scenes.clone(),
+            files: self.files.clone(),
+        }
+    }
+
+    /// Keeps the scene of each task of the step: the one that reached its goal, and until then the one that is on screen.
+    pub fn keep_scene(&mut self, now: &Findings, link: impl Fn() -> String) {
+        let parts = self.current().map_or(&[][..], |step| &step.parts);
+        let tasks = parts.iter().enumerate().filter(|(_, part)| matches!(part, Part::Task(_)));
+        let places: Vec<Place> = tasks.map(|(part, _)| Place { step: self.step, part }).collect();
+        for place in places {
+            let reached = self.given.get(place).is_some_and(|given| given.reached);
+            let is_settled = reached && self.scenes.contains_key(&place);
+            if !is_settled && now.scenario() != self.start.scenario() {
+                self.scenes.insert(place, link());
+            }
+        }
     }
 
     /// The link of the step's scene.
@@ -118,6 +161,7 @@ impl Session {
     fn go_to(&mut self, step: usize, aircraft: &[Arc<Aircraft>]) -> bool {
         let before = (self.link().to_owned(), self.offered());
         self.step = step.min(self.lesson.steps.len().saturating_sub(1));
+        self.seen.insert(self.step);
         if let Ok(start) = start_of(&self.lesson.file, self.current(), aircraft) {
             self.start = Rc::new(start);
         }
@@ -186,16 +230,22 @@ pub fn lesson_ui(
         }
         ui.add_space(6.0);
     }
-    let count = session.lesson.steps.len();
+    let (count, record) = (session.lesson.steps.len(), session.record());
     ui.separator();
     let mut to = None;
     ui.horizontal(|ui| {
         if ui.add_enabled(index > 0, Button::new("← Back")).clicked() {
             to = Some(index - 1);
         }
-        ui.label(RichText::new(format!("Step {} of {count}", index + 1)).font(theme::small()));
+        to = map::map_ui(ui, &session.lesson, &record).or(to);
+        if index + 1 == count {
+            if ui.button("To the lessons").clicked() {
+                wish = Some(Wish::Lessons);
+            }
+            return;
+        }
         let next = if is_open { "Next →" } else { "Skip →" };
-        if ui.add_enabled(index + 1 < count, Button::new(next)).clicked() {
+        if ui.button(next).clicked() {
             to = Some(index + 1);
         }
     });

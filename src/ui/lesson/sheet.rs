@@ -1,8 +1,9 @@
 //! The sheet that offers the lessons of the course.
 
-use egui::{Frame, Id, Modal, RichText, Ui};
+use egui::{Frame, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::lesson::Course;
+use crate::lesson::{Course, Records};
+use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
 
 /// What can be offered.
@@ -25,10 +26,17 @@ pub enum Chosen {
     File,
     /// To ask for the course once more.
     Again,
+    /// To save the report.
+    Report,
 }
 
 /// Draws the sheet. Gives what was chosen, and whether the sheet is still wanted.
-pub fn lessons_sheet_ui(ui: &Ui, offer: &Offer<'_>, can_pick: bool) -> (Option<Chosen>, bool) {
+pub fn lessons_sheet_ui(
+    ui: &Ui,
+    offer: &Offer<'_>,
+    records: &mut Records,
+    has_files: bool,
+) -> (Option<Chosen>, bool) {
     let frame = Frame::popup(ui.style()).inner_margin(16);
     let mut chosen = None;
     let modal = Modal::new(Id::unique("lessons")).frame(frame).show(ui, |ui| {
@@ -47,12 +55,27 @@ pub fn lessons_sheet_ui(ui: &Ui, offer: &Offer<'_>, can_pick: bool) -> (Option<C
                     chosen = Some(Chosen::Again);
                 }
             }
-            Offer::Course(course) => chosen = course_ui(ui, course),
+            Offer::Course(course) => {
+                let room = ui.content_rect().height() - 300.0;
+                let area = ScrollArea::vertical().max_height(room.max(160.0));
+                let list = |ui: &mut Ui| course_ui(ui, course, records);
+                chosen = finger::scroll_area_ui(ui, "lessons", area, list);
+            }
         }
         ui.add_space(8.0);
-        ui.label(RichText::new("A lesson of your own can be dropped on this page.").font(theme::small()));
+        if has_files && !records.lessons.is_empty() {
+            ui.horizontal_wrapped(|ui| {
+                let name = TextEdit::singleline(&mut records.person).hint_text("Your name").desired_width(150.0);
+                ui.add(name).accessible_name("Your name, for the report");
+                if ui.button("Save my report").on_hover_text(REPORT).clicked() {
+                    chosen = Some(Chosen::Report);
+                }
+            });
+            ui.add_space(8.0);
+        }
+        ui.label(RichText::new("A lesson of your own, or a report, can be dropped on this page.").font(theme::small()));
         ui.horizontal(|ui| {
-            if can_pick && ui.button("Open a file …").clicked() {
+            if has_files && ui.button("Open a file …").clicked() {
                 chosen = Some(Chosen::File);
             }
             ui.button("Go on without a lesson").clicked()
@@ -62,7 +85,11 @@ pub fn lessons_sheet_ui(ui: &Ui, offer: &Offer<'_>, can_pick: bool) -> (Option<C
     (chosen, !modal.inner && !modal.should_close())
 }
 
-fn course_ui(ui: &mut Ui, course: &Course) -> Option<Chosen> {
+/// What a report is.
+const REPORT: &str = "A page to print or hand in: what you predicted, what happened, and the scenes of your tasks. \
+    Nothing leaves this device unless you send it. Drop it on this page to go on with it elsewhere.";
+
+fn course_ui(ui: &mut Ui, course: &Course, records: &Records) -> Option<Chosen> {
     let mut chosen = None;
     for lesson in &course.lessons {
         ui.add_space(8.0);
@@ -70,7 +97,14 @@ fn course_ui(ui: &mut Ui, course: &Course) -> Option<Chosen> {
         if ui.button(title).clicked() {
             chosen = Some(Chosen::Lesson(lesson.key().to_owned()));
         }
-        ui.label(RichText::new(lesson.about.as_deref().unwrap_or_default()).font(theme::small()));
+        let about = lesson.about.as_deref().unwrap_or_default();
+        let done = records.lessons.get(lesson.key()).map(|record| record.done(lesson));
+        let about = match done {
+            Some((done, count)) if done == count => format!("✓ done · {about}"),
+            Some((done, count)) => format!("{done} of {count} steps done · {about}"),
+            None => about.to_owned(),
+        };
+        ui.label(RichText::new(about).font(theme::small()));
     }
     for error in &course.errors {
         ui.label(RichText::new(format!("⚠ {error}")).color(Palette::of(ui).bad));

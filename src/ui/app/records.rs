@@ -1,0 +1,72 @@
+//! What the person has done in their lessons: followed as they do it, saved as a report, taken up from one.
+
+use egui::Ui;
+
+use super::App;
+use super::course::{CourseState, FileRequest, LessonPane};
+use crate::content::TextFile;
+use crate::export::ReportSource;
+use crate::lesson::{Course, Records};
+
+/// Name of the file of a report.
+const REPORT: &str = "eigenwing-report.html";
+
+impl App {
+    /// Takes up what was done on this device before. What can't be read is left out: it was damaged outside this page.
+    pub fn take_up_records(&mut self, json: &str) {
+        if let Ok(records) = Records::read(json) {
+            self.records.complete(records);
+        }
+    }
+
+    /// What has been done, as JSON, where it has changed since it was last asked for.
+    pub fn take_changed_records(&mut self) -> Option<String> {
+        std::mem::take(&mut self.records_changed).then(|| self.records.to_json())
+    }
+
+    /// Follows the lesson that is open, at the end of a frame; never while something is dragged.
+    pub(super) fn keep_record(&mut self, ui: &Ui) {
+        if ui.input(|input| input.pointer.any_down()) {
+            return;
+        }
+        // Taken out, so that the scene can be asked for.
+        let mut pane = std::mem::take(&mut self.panes.lesson);
+        if let LessonPane::Open(session) = &mut pane {
+            session.keep_scene(&self.findings, || self.link_of_scene(&self.view));
+            let (address, record) = (session.place().address, session.record());
+            if self.records.lessons.get(&address) != Some(&record) {
+                self.records.lessons.insert(address, record);
+                self.records_changed = true;
+            }
+        }
+        self.panes.lesson = pane;
+    }
+
+    /// Has the report saved.
+    pub(super) fn save_report(&mut self) {
+        let none = Course::default();
+        let course = match &self.panes.course {
+            CourseState::Here(course) => course.as_ref(),
+            CourseState::Unwanted | CourseState::Coming | CourseState::Missing(_) => &none,
+        };
+        let source = ReportSource { course, aircraft: &self.aircraft, address: &self.share.address };
+        let report = TextFile::new(REPORT, &self.records.report(source));
+        self.panes.file_requests.push(FileRequest::Save(report));
+    }
+
+    /// Takes up a report of what was done elsewhere, and says so where a lesson would stand.
+    pub(super) fn take_up_report(&mut self, file: &TextFile) {
+        match Records::read(&file.text) {
+            Ok(records) => {
+                self.records.complete(records);
+                self.records_changed = true;
+                self.panes.lesson = LessonPane::Closed;
+                self.panes.lessons = true;
+            }
+            Err(error) => {
+                let sentence = format!("“{}” is no report of a lesson: {error}.", file.name);
+                self.panes.lesson = LessonPane::Faulty(vec![sentence]);
+            }
+        }
+    }
+}
