@@ -154,6 +154,14 @@ fn they_stand_alone_by_key_by_button_by_link_and_as_a_part_of_the_stage() {
 }
 
 #[test]
+fn what_a_question_hides_is_not_told_by_the_equations() {
+    let page = opened(WIDE, "v=1&ac=navion&page=matrix&hide=names.numbers.reasons");
+    assert_eq!(entry(&page, "A, row u dot, column w"), "A, row u dot, column w: X_w = 0.036 1/s");
+    assert!(!says(&page, "λ4") && !says(&page, "short period"));
+    assert!(page.query_by_role_and_label(Role::ComboBox, "Coloured by").is_none());
+}
+
+#[test]
 fn entries_never_lie_on_each_other_however_narrow_the_page_is() {
     for (width, link) in [
         (300.0, MATRIX),

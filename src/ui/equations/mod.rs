@@ -8,6 +8,7 @@ use egui::{Button, Color32, ComboBox, Label, RichText, TextFormat, Ui};
 
 use self::formula::{Writing, factor, polynomial};
 use self::matrix::{Matrices, Picked, Place, matrices_ui};
+use super::curtain::Curtain;
 use super::symbol::{Symbol, prose};
 use super::theme::{self, Palette};
 use crate::findings::{Equations, Findings};
@@ -15,8 +16,8 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::sensitivity::REPEATED_CONDITION;
 use crate::key::Keyed as _;
 use crate::number::trimmed;
-use crate::scenario::Parameter;
 use crate::scenario::view::{Entries, EquationsView};
+use crate::scenario::{Hidden, Lock, Parameter};
 use crate::words;
 
 /// Significant digits of an entry beside the sliders, and where it is alone.
@@ -58,8 +59,11 @@ impl EquationsPane {
         let mut wish = Wish::default();
         let Some(equations) = findings.equations() else { return wish };
         let modes = findings.modes();
-        wish.enlarge = choosers_ui(ui, equations, modes, view, size);
-        let mode = view.coloured.and_then(|index| Some((index, modes.get(index)?)));
+        let curtain = Curtain::of(ui);
+        let choosers = |ui: &mut Ui| choosers_ui(ui, equations, modes, view, size);
+        wish.enlarge = curtain.lock_ui(ui, Lock::View, choosers);
+        let coloured = view.coloured.filter(|_| !curtain.hides_influence());
+        let mode = coloured.and_then(|index| Some((index, modes.get(index)?)));
         let writing = Writing {
             equations,
             entries: view.entries,
@@ -69,7 +73,7 @@ impl EquationsPane {
         let matrices = Matrices {
             writing,
             mode: mode
-                .map(|(index, mode)| (index, mode.naming.name, words::mode::in_a_sentence(mode.naming.name))),
+                .map(|(index, mode)| (index, mode.naming.name, curtain.in_a_sentence(mode.naming.name))),
             chosen: self.chosen,
             is_large: size == Size::Alone,
             by_finger: theme::is_for_fingers(ui),
@@ -82,11 +86,13 @@ impl EquationsPane {
         let larger = enlargement(ui, size);
         if let Some((_, mode)) = mode {
             // Once understood it needs no large type.
-            small_ui(ui, &legend(mode), larger.min(1.3));
+            small_ui(ui, &legend(&curtain, mode), larger.min(1.3));
         }
         let of_derivative = self.row_ui(ui, findings, &writing, larger);
         wish.asked = of_derivative.or(wish.asked);
-        polynomial_ui(ui, equations, modes, larger);
+        if !curtain.hides(Hidden::Numbers) {
+            polynomial_ui(ui, equations, modes, larger);
+        }
         wish
     }
 
@@ -170,11 +176,11 @@ fn small_ui(ui: &mut Ui, text: &str, larger: f32) {
     ui.label(RichText::new(text).font(font).color(Palette::of(ui).weak));
 }
 
-fn legend(mode: &Mode) -> String {
+fn legend(curtain: &Curtain, mode: &Mode) -> String {
     if mode.condition > REPEATED_CONDITION {
         words::equations::NO_RATE.to_owned()
     } else {
-        words::equations::legend(words::mode::in_a_sentence(mode.naming.name))
+        words::equations::legend(curtain.in_a_sentence(mode.naming.name))
     }
 }
 
@@ -208,18 +214,9 @@ fn choosers_ui(
                 }
             }
         });
-        let title = |mode: &Mode| words::mode::title(mode.naming.name);
-        let chosen =
-            view.coloured.and_then(|index| modes.get(index)).map_or(words::equations::NO_MODE, title);
-        let chooser = ComboBox::from_id_salt(("coloured", size == Size::Alone)).selected_text(small(chosen));
-        let chooser = chooser.show_ui(ui, |ui| {
-            for (index, mode) in modes.iter().enumerate() {
-                ui.selectable_value(&mut view.coloured, Some(index), title(mode));
-            }
-            ui.selectable_value(&mut view.coloured, None, words::equations::NO_MODE);
-        });
-        theme::name_chooser(chooser, words::equations::COLOURED_BY, chosen)
-            .on_hover_text("The mode by whose sensitivity the entries are coloured");
+        if !Curtain::of(ui).hides_influence() {
+            coloured_ui(ui, modes, view, size);
+        }
         if size == Size::Beside {
             let button = Button::selectable(false, "□");
             let name = words::view::maximise(crate::scenario::view::Pane::Equations);
@@ -227,6 +224,23 @@ fn choosers_ui(
         }
     });
     enlarge
+}
+
+/// The mode that colours the entries.
+fn coloured_ui(ui: &mut Ui, modes: &[Mode], view: &mut EquationsView, size: Size) {
+    let curtain = Curtain::of(ui);
+    let title = |mode: &Mode| curtain.title(mode.naming.name);
+    let chosen = view.coloured.and_then(|index| modes.get(index)).map_or(words::equations::NO_MODE, title);
+    let chooser = ComboBox::from_id_salt(("coloured", size == Size::Alone))
+        .selected_text(RichText::new(chosen).font(theme::small()));
+    let chooser = chooser.show_ui(ui, |ui| {
+        for (index, mode) in modes.iter().enumerate() {
+            ui.selectable_value(&mut view.coloured, Some(index), title(mode));
+        }
+        ui.selectable_value(&mut view.coloured, None, words::equations::NO_MODE);
+    });
+    theme::name_chooser(chooser, words::equations::COLOURED_BY, chosen)
+        .on_hover_text("The mode by whose sensitivity the entries are coloured");
 }
 
 /// The characteristic polynomial, and its factors in the colours of their modes, none of them broken.
