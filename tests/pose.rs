@@ -183,3 +183,17 @@ fn the_whole_path_begins_and_ends_with_the_motion_and_is_as_long_as_the_flight()
     let flown_straight = flown.motion.model.trim.speed * flown.end();
     assert!((2.0 * flown.path_reach(1.0) / flown_straight - 1.0).abs() < 0.2, "{}", flown.path_reach(1.0));
 }
+
+/// So that the x axis of stability axes lies along it.
+#[test]
+fn before_anything_disturbs_it_the_angle_of_attack_is_that_of_the_steady_flight() {
+    let mut tilted = 0;
+    for scenario in scenarios() {
+        let findings = Findings::of(scenario);
+        let Some(flown) = findings.trajectory(false) else { continue };
+        let alpha = flown.steady_alpha();
+        assert!((flown.pose(0.0, 1.0).alpha - alpha).abs() < 1e-12, "{}", flown.scenario.aircraft.key);
+        tilted += usize::from(alpha.abs() > 0.01);
+    }
+    assert!(tilted > 5, "{tilted}");
+}

@@ -58,6 +58,8 @@ impl Pane {
             speed: 53.6,
             alpha: 0.05,
             beta: 0.02,
+            steady_alpha: 0.05,
+            is_turned: false,
             rates: [0.1, 0.1, 0.1],
             deflections: Deflections::default(),
             propeller_angle: 0.0,

@@ -299,6 +299,11 @@ impl Trajectory<'_> {
         ]
     }
 
+    /// Angle of attack of the fuselage in the steady flight \[rad\].
+    pub fn steady_alpha(&self) -> f64 {
+        self.motion.model.trim.alpha0 + self.fuselage_incidence()
+    }
+
     /// Angle of attack of the fuselage beyond the α₀ of the model's axes \[rad\]: of stability axes all of it.
     fn fuselage_incidence(&self) -> f64 {
         match &self.scenario.edited.aircraft_model {

@@ -6,13 +6,14 @@ use egui::Ui;
 
 use super::aircraft::{
     AircraftView, Attitude, Axis, Figures, Forces, Moment, Picture, Playback, transport_height, transport_ui,
+    turn_height, turn_ui,
 };
 use super::curtain::Curtain;
 use super::theme::Palette;
 use crate::content::shapes::embedded_shape;
 use crate::findings::{Pose, Trajectory};
 use crate::number::trimmed;
-use crate::scenario::view::{FlightView, Instant, Pace};
+use crate::scenario::view::{FlightView, Instant, Pace, Turn};
 use crate::scenario::{Hidden, Lock};
 use crate::shape::{Deflections, Finish, Model};
 use crate::words;
@@ -21,6 +22,8 @@ use crate::words;
 const PATH: f64 = 8.0;
 /// A frame that took longer than this \[s\] was none: the page was hidden.
 const LONGEST_FRAME: f64 = 1.0;
+/// Least height of the picture of an aircraft that is turned by hand \[points\]; in less room it scrolls with its sliders.
+const LEAST_TURNED: f32 = 150.0;
 /// The propeller turns so fast on screen \[rad/s\]: slowly enough to be seen turning.
 const PROPELLER: f64 = 14.0;
 
@@ -33,6 +36,8 @@ pub struct FlightPane {
     advanced: Option<f64>,
     /// The faces of the shapes drawn so far.
     models: Models,
+    /// The symbol that a sentence is said of, where it is turned by hand.
+    explained: &'static str,
 }
 
 impl Default for FlightPane {
@@ -42,6 +47,7 @@ impl Default for FlightPane {
             playback: Playback::new(0.0),
             advanced: None,
             models: HashMap::new(),
+            explained: words::turn::EXPLAINED[0],
         }
     }
 }
@@ -116,7 +122,9 @@ impl FlightPane {
     /// Draws the aircraft at the time of the playback, over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, flown: Trajectory<'_>) {
         let palette = Palette::of(ui);
-        let room = (ui.available_height() - transport_height(ui)).max(80.0);
+        let controls = if view.turn.is_some() { turn_height(ui) } else { transport_height(ui) };
+        let least = if view.turn.is_some() { LEAST_TURNED } else { 80.0 };
+        let room = (ui.available_height() - controls).max(least);
         let (time, exaggeration) = (self.playback.time, flown.exaggeration());
         let pose = flown.pose(time, exaggeration);
         let own = if exaggeration == 1.0 { pose } else { flown.pose(time, 1.0) };
@@ -147,7 +155,7 @@ impl FlightPane {
             is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
         let curtain = Curtain::of(ui);
         let note = stays.filter(|_| !curtain.hides_values()).or(exaggerated);
-        let Self { picture: widget, playback, models, .. } = self;
+        let Self { picture: widget, playback, models, explained, .. } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
         let picture = Picture {
@@ -168,6 +176,8 @@ impl FlightPane {
             speed: flown.motion.model.trim.speed,
             alpha,
             beta,
+            steady_alpha: flown.steady_alpha(),
+            is_turned: false,
             rates,
             deflections: Deflections { elevator, aileron, rudder },
             propeller_angle: (PROPELLER * time) as f32,
@@ -184,12 +194,41 @@ impl FlightPane {
             note: note.as_deref(),
             is_dimmed,
         };
+        let picture = view.turn.map_or(picture, |turn| by_hand(picture, turn));
         let width = ui.available_width();
         ui.allocate_ui(egui::Vec2::new(width, room), |ui| {
             ui.set_min_height(room);
             widget.show(ui, view, &picture);
         });
-        transport_ui(ui, playback, &mut view.pace);
+        match &mut view.turn {
+            Some(turn) => {
+                *explained = widget.pointed.unwrap_or(explained);
+                let locked = Curtain::of(ui);
+                locked.lock_ui(ui, Lock::View, |ui| turn_ui(ui, turn, explained));
+            }
+            None => transport_ui(ui, playback, &mut view.pace),
+        }
+    }
+}
+
+/// The aircraft where it began, turned by hand, with nothing of its flight.
+fn by_hand(picture: Picture<'_>, Turn { psi, theta, phi }: Turn) -> Picture<'_> {
+    let [psi, theta, phi] = [psi, theta, phi].map(|angle| f64::from(angle).to_radians());
+    let attitude = Attitude { phi, theta, psi };
+    Picture {
+        attitude,
+        figures: Figures { attitude, alpha: 0.0, beta: 0.0, height: 0.0 },
+        position: [0.0; 3],
+        steady_position: [0.0; 3],
+        deflections: Deflections::default(),
+        propeller_angle: 0.0,
+        path: &[],
+        is_far: false,
+        is_numbered: true,
+        is_turned: true,
+        note: Some(words::turn::NOTE),
+        is_dimmed: false,
+        ..picture
     }
 }
 

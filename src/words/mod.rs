@@ -25,6 +25,7 @@
 //! | [`stability`] | the verdicts on a plane as a whole |
 //! | [`status`] | how far the numbers can be trusted |
 //! | [`sweep`] | sweeps of a parameter |
+//! | [`turn`] | axes and angles, and the aircraft turned by hand |
 //! | [`verdict`] | levels of handling qualities and their verdicts |
 //! | [`view`] | parts of the page |
 
@@ -47,5 +48,6 @@ pub mod small_disturbance;
 pub mod stability;
 pub mod status;
 pub mod sweep;
+pub mod turn;
 pub mod verdict;
 pub mod view;

@@ -76,9 +76,10 @@ fn line(painter: &Painter, pen: ArrowStyle, points: &[Pos2]) -> Option<Tip> {
     // A short arrow has a small head.
     let head = HEAD.min(0.6 * length);
     let neck = end - towards * head;
-    // The shaft ends within the head.
-    let mut shaft: Vec<Pos2> =
-        points.iter().copied().filter(|p| (*p - end).dot(towards) < -0.7 * head).collect();
+    // The shaft ends within the head; an arc may have been beyond it before.
+    let is_behind = |p: &Pos2| (*p - end).dot(towards) < -0.7 * head;
+    let count = points.iter().rposition(is_behind).map_or(0, |last| last + 1);
+    let mut shaft = points[..count].to_vec();
     shaft.push(end - towards * 0.7 * head);
     strokes(painter, pen, &shaft);
     let wing = towards.rot90() * (0.42 * head + 0.4 * pen.width);

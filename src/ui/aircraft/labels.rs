@@ -61,7 +61,7 @@ impl Labels {
         self.0.push(Label { symbol: symbol.to_owned(), words, color, tip });
     }
 
-    /// Draws all of them where there is room: at the tips of their arrows, beside the aircraft and off all arrows if that can be.
+    /// Draws all of them where there is room, and tells where: at the tips of their arrows, beside the aircraft and off all arrows if that can be.
     pub fn paint(
         self,
         painter: &Painter,
@@ -69,7 +69,7 @@ impl Labels {
         taken: &[Rect],
         silhouette: &Arc<Silhouette>,
         palette: &Palette,
-    ) {
+    ) -> Vec<(String, Rect)> {
         let sizes = theme::sizes(painter.ctx());
         let is_small = pane.width() < SMALL;
         let mut placement = Placement::new(pane.shrink(3.0));
@@ -86,6 +86,7 @@ impl Labels {
         let before =
             before.filter(|(size, _)| *size == pane.size()).map(|(_, kept)| kept).unwrap_or_default();
         let mut now = HashMap::new();
+        let mut places = Vec::new();
         for label in self.0.iter().filter(|label| pane.contains(label.tip.at)) {
             let galley = painter.layout_job(label.job(is_small, sizes));
             let wanted = self.wanted(label, &galley);
@@ -97,8 +98,10 @@ impl Labels {
             }
             painter.rect_filled(place.rect, CornerRadius::same(4), palette.label_ground());
             painter.galley(place.rect.min + MARGIN, galley, label.color);
+            places.push((label.symbol.clone(), place.rect));
         }
         painter.ctx().data_mut(|data| data.insert_temp(id, (pane.size(), now)));
+        places
     }
 
     fn wanted(&self, label: &Label, galley: &Galley) -> Wanted {

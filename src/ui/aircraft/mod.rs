@@ -12,9 +12,11 @@ mod overlays;
 mod picture;
 mod playback;
 mod transport;
+mod turn;
 mod view;
 
 pub use picture::{Attitude, Axis, Figures, Forces, Moment, Picture};
 pub use playback::Playback;
 pub use transport::{transport_height, transport_ui};
+pub use turn::{turn_height, turn_ui};
 pub use view::AircraftView;

@@ -23,6 +23,10 @@ const Z_AXIS: f32 = 0.5;
 const EARTH_AXIS: f32 = 0.62;
 const WEIGHT: f32 = 0.75;
 const RATE_ARC: f32 = 0.2;
+/// Of stability axes over body axes: beside each other their names would lie on each other.
+const STABILITY_AXIS: f32 = 1.22;
+/// Of a body axis, where the arrow of its rate stands.
+const RATE_AT: f32 = 0.85;
 const MOMENT_ARC: f32 = 0.42;
 const MOMENT_STEP: f32 = 0.12;
 
@@ -35,9 +39,10 @@ const FULL_MOMENT: f32 = 1.9;
 
 impl Overlays {
     /// Each with its words, for boxes to tick.
-    pub fn boxes(&mut self) -> [(&'static str, &mut bool); 8] {
+    pub fn boxes(&mut self) -> [(&'static str, &mut bool); 9] {
         [
             ("Body axes", &mut self.body_axes),
+            ("Stability axes", &mut self.stability_axes),
             ("Earth axes", &mut self.earth_axes),
             ("Roll, pitch and yaw", &mut self.angles),
             ("Angular rates", &mut self.rates),
@@ -115,6 +120,9 @@ impl OverlayPainter<'_> {
 
     /// Everything that is chosen.
     pub fn draw(&mut self, overlays: &Overlays) {
+        if self.picture.is_turned {
+            return self.turned(overlays);
+        }
         if overlays.earth_axes {
             self.earth_axes();
         }
@@ -123,6 +131,9 @@ impl OverlayPainter<'_> {
         }
         if overlays.body_axes {
             self.body_axes();
+        }
+        if overlays.stability_axes {
+            self.stability_axes();
         }
         if overlays.flow {
             self.flow();
@@ -141,12 +152,39 @@ impl OverlayPainter<'_> {
     fn body_axes(&mut self) {
         let axes = [(Axis::X, "x"), (Axis::Y, "y"), (Axis::Z, "z")];
         for ((axis, symbol), color) in axes.into_iter().zip(self.palette.axes) {
-            let (along, ..) = self.frame(axis);
-            self.arrow(along * self.axis_length(axis), (color, 1.8), (symbol, Words::None));
+            self.axis(axis, color, (symbol, Words::None));
         }
     }
 
-    fn earth_axes(&mut self) {
+    /// A body axis.
+    pub(super) fn axis(&mut self, axis: Axis, color: Color32, label: (&str, Words)) {
+        let (along, ..) = self.frame(axis);
+        self.arrow(along * self.axis_length(axis), (color, 1.8), label);
+    }
+
+    /// Around a body axis, at a share of its length, by an angle \[rad\] as the right hand turns.
+    pub(super) fn ring(&mut self, axis: Axis, share: f32, angle: f32, color: Color32) -> Option<Tip> {
+        let (along, from, to) = self.frame(axis);
+        let r = RATE_ARC * self.radius();
+        let middle = along * (share * self.axis_length(axis));
+        arc(self.painter, &self.lens, self.pen(color, 2.2), (middle, from * r, to * r), angle)
+    }
+
+    /// The body axes turned about y until x lies along the steady flight.
+    pub(super) fn stability_axes(&mut self) {
+        let color = self.palette.velocity;
+        let (sin, cos) = finite(self.picture.steady_alpha).sin_cos();
+        for (axis, along, symbol) in
+            [(Axis::X, Point::new(cos, 0.0, sin), "x_s"), (Axis::Z, Point::new(-sin, 0.0, cos), "z_s")]
+        {
+            let pen = ArrowStyle { is_dashed: true, ..self.pen(color, 1.8) };
+            let along = self.rotation * along * (STABILITY_AXIS * self.axis_length(axis));
+            let tip = straight(self.painter, &self.lens, pen, Point::zeros(), along);
+            self.name(tip, symbol, Words::None, color);
+        }
+    }
+
+    pub(super) fn earth_axes(&mut self) {
         let color = self.palette.earth_axes;
         let length = EARTH_AXIS * self.radius();
         let axes = [Point::x(), Point::y(), Point::z()];
@@ -156,7 +194,7 @@ impl OverlayPainter<'_> {
     }
 
     /// ψ in the level plane, θ in the upright one, φ about the body's x: each in the plane in which it turns.
-    fn angles(&mut self) {
+    pub(super) fn angles(&mut self) {
         let Picture { attitude, figures, .. } = *self.picture;
         let own = figures.attitude;
         let color = self.palette.earth_axes;
@@ -230,12 +268,7 @@ impl OverlayPainter<'_> {
                 continue;
             }
             let turn = (rate / RATE_OF_HALF_A_TURN).clamp(-1.8, 1.8) * std::f64::consts::PI;
-            let (along, from, to) = self.frame(axis);
-            let r = RATE_ARC * self.radius();
-            let length = self.axis_length(axis);
-            let pen = self.pen(color, 2.2);
-            let frame = (along * (0.85 * length), from * r, to * r);
-            let tip = arc(self.painter, &self.lens, pen, frame, finite(turn));
+            let tip = self.ring(axis, RATE_AT, finite(turn), color);
             self.name(tip, symbol, Words::Value(format!("{}/s", degrees(rate))), color);
         }
     }

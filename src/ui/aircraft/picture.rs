@@ -33,6 +33,10 @@ pub struct Picture<'a> {
     pub alpha: f64,
     /// Sideslip β \[rad\] as drawn, positive where the air comes from the right.
     pub beta: f64,
+    /// Angle of attack of the steady flight \[rad\].
+    pub steady_alpha: f64,
+    /// Whether it is turned by hand: then it shows axes and angles, and nothing of a flight.
+    pub is_turned: bool,
     /// Roll, pitch and yaw rate p, q, r \[rad/s\].
     pub rates: [f64; 3],
     /// Positions of the controls.
@@ -200,6 +204,10 @@ impl Picture<'_> {
             return format!("{}{note}", self.name);
         }
         let Figures { attitude: Attitude { phi, theta, psi }, alpha, beta, height } = self.figures;
+        if self.is_turned {
+            let [psi, theta, phi] = [psi, theta, phi].map(degrees);
+            return format!("{}, turned by hand: heading {psi}, pitch {theta}, bank {phi}", self.name);
+        }
         let mut sentence = format!(
             "{}: pitch {}, bank {}, heading {}, angle of attack {}, sideslip {}, altitude {} m from steady flight",
             self.name,
@@ -237,5 +245,17 @@ mod tests {
         assert!(nose.z < -0.05, "θ > 0: nose up");
         let nose = Attitude { psi: 0.1, ..still }.rotation() * Point::x();
         assert!(nose.y > 0.05, "ψ > 0: nose right");
+    }
+
+    #[test]
+    fn heading_turns_first_then_pitch_then_bank() {
+        let (psi, theta, phi) = (0.7, -0.4, 1.1);
+        let turned = Attitude { phi, theta, psi }.rotation();
+        let about = |axis: nalgebra::Unit<Point>, angle: f64| Rotation3::from_axis_angle(&axis, angle as f32);
+        // About z of the Earth; about y as that leaves it; about x as both leave it.
+        let first = about(Point::z_axis(), psi);
+        let second = about(first * Point::y_axis(), theta) * first;
+        let third = about(second * Point::x_axis(), phi) * second;
+        assert!((turned.matrix() - third.matrix()).norm() < 1e-6);
     }
 }

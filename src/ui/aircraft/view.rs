@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::style::StyleModifier;
 use egui::{
-    Align2, CornerRadius, Key, PopupCloseBehavior, Pos2, Rect, Response, RichText, Sense, Shape, Stroke,
+    Align2, CornerRadius, Id, Key, PopupCloseBehavior, Pos2, Rect, Response, RichText, Sense, Shape, Stroke,
     StrokeKind, Ui, Vec2, WidgetInfo,
 };
 
@@ -13,9 +13,10 @@ use super::overlays::OverlayPainter;
 use super::picture::{Picture, finite};
 use super::{airframe, landscape};
 use crate::scenario::Lock;
-use crate::scenario::view::{Camera, FlightView, StandardView};
+use crate::scenario::view::{Camera, FlightView, StandardView, Turn};
 use crate::shape::Point;
 use crate::ui::curtain::Curtain;
+use crate::ui::symbol::prose;
 use crate::ui::theme::{self, Palette};
 use crate::ui::{arrow_keys, finger};
 use crate::words;
@@ -52,6 +53,8 @@ pub struct AircraftView {
     remark: Option<&'static str>,
     /// Distance at which the whole path is in the pane, over the one at which the aircraft fills it.
     whole: f32,
+    /// The symbol on the picture that is pointed at or was tapped in this frame.
+    pub pointed: Option<&'static str>,
 }
 
 impl AircraftView {
@@ -61,7 +64,7 @@ impl AircraftView {
     }
 
     /// Buttons of the standard views, and what to show.
-    pub fn toolbar_ui(&mut self, ui: &mut Ui, FlightView { camera, overlays, .. }: &mut FlightView) {
+    pub fn toolbar_ui(&mut self, ui: &mut Ui, FlightView { camera, overlays, turn, .. }: &mut FlightView) {
         ui.horizontal_wrapped(|ui| {
             let is_narrow = ui.available_width() < NARROW && !theme::is_for_fingers(ui);
             ui.spacing_mut().button_padding.x = if is_narrow { 4.0 } else { 6.0 };
@@ -74,6 +77,12 @@ impl AircraftView {
                 if response.accessible_name(name).on_hover_text(name).clicked() {
                     *camera = view.camera();
                 }
+            }
+            let turned = ui.selectable_label(turn.is_some(), words::turn::BUTTON);
+            let turned =
+                turned.accessible_name(words::turn::BUTTON_IN_WORDS).on_hover_text(words::turn::HINT);
+            if turned.clicked() {
+                *turn = if turn.is_some() { None } else { Some(Turn::default()) };
             }
             // Stays open while boxes are ticked. They have their outline, which the style of menus takes away.
             let config = MenuConfig::new().style(StyleModifier::default());
@@ -123,7 +132,7 @@ impl AircraftView {
             };
         }
         if ui.is_rect_visible(pane) {
-            draw(ui, pane, view, picture);
+            self.explain(ui, draw(ui, pane, view, picture));
             if response.has_focus() {
                 let stroke = Stroke::new(2.0, Palette::of(ui).accent);
                 ui.painter().rect_stroke(pane, CornerRadius::same(4), stroke, StrokeKind::Inside);
@@ -131,6 +140,22 @@ impl AircraftView {
         }
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, picture.sentence()));
         response
+    }
+}
+
+impl AircraftView {
+    /// Says what the label under the pointer means.
+    fn explain(&mut self, ui: &Ui, labels: Vec<(String, Rect)>) {
+        self.pointed = None;
+        for (symbol, place) in labels {
+            let Some(sentence) = words::turn::sentence(&symbol) else { continue };
+            let label = ui.interact(place, Id::unique(("label on the aircraft", &symbol)), Sense::CLICK);
+            if label.hovered() || label.clicked() {
+                let is_of = |explained: &&str| words::turn::sentence(explained) == Some(sentence);
+                self.pointed = words::turn::EXPLAINED.into_iter().find(is_of);
+            }
+            label.on_hover_text(prose(sentence, theme::body(), Palette::of(ui).text));
+        }
     }
 }
 
@@ -171,7 +196,13 @@ fn steer(ui: &Ui, response: &Response, camera: &mut Camera) {
     });
 }
 
-fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, picture: &Picture<'_>) {
+/// Tells where the labels are.
+fn draw(
+    ui: &Ui,
+    pane: Rect,
+    FlightView { camera, overlays, .. }: &FlightView,
+    picture: &Picture<'_>,
+) -> Vec<(String, Rect)> {
     let palette = Palette::of(ui);
     let painter = ui.painter_at(pane);
     let radius = picture.model.radius();
@@ -205,7 +236,7 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
     }
 
     let mut taken = Vec::new();
-    if overlays.forces && !picture.is_far && pane.width() > 4.0 * POLYGON {
+    if overlays.forces && !picture.is_turned && !picture.is_far && pane.width() > 4.0 * POLYGON {
         let corner = pane.left_bottom() + Vec2::new(8.0, -8.0 - POLYGON);
         let place = Rect::from_min_size(corner, Vec2::splat(POLYGON));
         painter.rect_filled(place, CornerRadius::same(4), palette.pane.gamma_multiply(0.78));
@@ -218,7 +249,7 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
         taken.push(note_ui(&painter, pane, note, palette));
     }
     let OverlayPainter { labels, .. } = easel;
-    labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
+    let places = labels.paint(&painter, pane, &taken, &airframe.silhouette, palette);
     if picture.is_dimmed {
         painter.rect_filled(pane, CornerRadius::ZERO, palette.pane.gamma_multiply(VEIL));
         // Over the veil, which the labels are under.
@@ -226,6 +257,7 @@ fn draw(ui: &Ui, pane: Rect, FlightView { camera, overlays, .. }: &FlightView, p
             note_ui(&painter, pane, note, palette);
         }
     }
+    places
 }
 
 /// Where to look, from the aircraft: at the middle of it and its arrows, but towards where steady flight would have

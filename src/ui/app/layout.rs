@@ -17,6 +17,8 @@ use crate::words;
 const BESIDE: f32 = 560.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
+/// Height of an aircraft turned by hand with its sliders, on a phone.
+const TURNED: f32 = 470.0;
 /// Of more tabs of a phone each is narrower.
 const MOST_TABS: usize = 4;
 /// In a narrower pane the heading has a row of its own.
@@ -210,7 +212,17 @@ impl App {
             }
             PhonePane::Aircraft => {
                 self.panes.flight.toolbar_ui(ui, &mut self.view.flight);
-                self.aircraft_ui(ui);
+                if self.view.flight.turn.is_none() {
+                    self.aircraft_ui(ui);
+                    return None;
+                }
+                // The sliders that turn it leave no room for it: they stand below it, where a finger scrolls to them.
+                let height = TURNED.max(ui.available_height());
+                let area = ScrollArea::vertical().auto_shrink(false);
+                finger::scroll_area_ui(ui, "aircraft", area, |ui| {
+                    ui.set_max_height(height);
+                    self.aircraft_ui(ui);
+                });
                 None
             }
             PhonePane::Equations => {
