@@ -6,6 +6,7 @@ use super::task::{Amount, Condition, Task, Wanted};
 use crate::content::Aircraft;
 use crate::findings::Findings;
 use crate::findings::measures::{Absence, Reading};
+use crate::scenario::stage::TIME;
 use crate::scenario::{Scenario, parameters};
 
 /// How near a condition is.
@@ -37,13 +38,14 @@ impl Task {
     }
 }
 
-/// Keys of the parameters that were themselves moved, without what follows from them.
+/// Keys of the parameters that were themselves moved, without what follows from them, and without the time shown, which follows the
+/// motion.
 pub(super) fn changes(start: &Scenario, now: &Scenario) -> Vec<&'static str> {
     let moved = |parameter: &&'static crate::scenario::Parameter| match parameter.added(now) {
         Some(offset) => offset != parameter.added(start).unwrap_or(0.0),
         None => parameter.applies(now) && parameter.get(now) != parameter.get(start),
     };
-    parameters().filter(moved).map(|parameter| parameter.key).collect()
+    parameters().filter(|parameter| parameter.key != TIME).filter(moved).map(|parameter| parameter.key).collect()
 }
 
 impl Condition {

@@ -217,7 +217,7 @@ impl Stage {
 }
 
 /// Key of the time shown.
-const TIME: &str = "time";
+pub const TIME: &str = "time";
 
 /// Puts a parameter back, to the last bit: of what follows from the rest, what is added to it.
 fn hold(parameter: &Parameter, before: &Scenario, now: &mut Scenario) {
