@@ -289,3 +289,58 @@ fn a_first_visit_is_greeted_once_with_three_ways_to_begin() {
         }
     }
 }
+
+/// Two steps that hide what they are about: one asks, the other only sets a task.
+const RIDDLE: &str = r##"+++
+title = "A riddle"
++++
+## Which one?
+```scene
+link = "#v=1&ac=navion&hide=names.numbers.levels.verdicts.reasons"
+```
+```predict
+kind = "choose"
+ask = "Which one fades first?"
+[[choice]]
+says = "The one on the left"
+right = true
+[[choice]]
+says = "The other"
+because = "Left is fading."
+```
+## Without numbers
+```scene
+link = "#v=1&ac=navion&hide=numbers"
+```
+```task
+goal = "Make it swing twice as fast."
+solution = "#v=1&ac=navion&cm_alpha=-2.5"
+[[until]]
+measure = "short_period.imaginary_part"
+at_least = "2 × start"
+```
+"##;
+
+#[test]
+fn what_a_step_hides_is_shown_once_its_questions_are_answered() {
+    for size in [WIDE, Vec2::new(1000.0, 800.0), PHONE] {
+        let mut harness = page(size);
+        drop_file(&mut harness, "riddle.md", RIDDLE.as_bytes());
+        assert_eq!(count(&harness, "Phugoid"), 0, "{size}");
+        assert!(count(&harness, "Mode 2") > 0, "{size}");
+        click(&mut harness, "The other");
+        assert_eq!(count(&harness, "Phugoid"), 0, "not before it is given: {size}");
+        click(&mut harness, "Answer");
+        assert!(count(&harness, "Phugoid") > 0, "{size}");
+        assert!(count(&harness, " · T 29.5 s") > 0, "{size}");
+        assert_eq!(count(&harness, "Mode 2"), 0, "{size}");
+        // A step without a question keeps to itself what it hides, the way to its goal too.
+        click(&mut harness, "Next →");
+        assert_eq!(count(&harness, " · T 29.5 s"), 0, "{size}");
+        assert!(count(&harness, "Phugoid") > 0, "{size}");
+        assert_eq!(count(&harness, "2.6 rad/s, wanted"), 0, "{size}");
+        assert_eq!(count(&harness, "wanted at least"), 1, "{size}");
+        click(&mut harness, "← Back");
+        assert!(count(&harness, " · T 29.5 s") > 0, "answered before: {size}");
+    }
+}

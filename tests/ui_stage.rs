@@ -11,7 +11,7 @@ use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::key::Keyed as _;
 use eigenwing::number::{eigenvalue, significant};
-use eigenwing::scenario::{Hidden, Scenario};
+use eigenwing::scenario::{Hidden, Parameter, Scenario};
 use eigenwing::words;
 use page::{PHONE, Page, TABLET, WIDE, app, open, page, value};
 
@@ -101,7 +101,14 @@ fn nothing_that_is_hidden_is_told_or_written_of_any_aircraft_in_either_plane() {
     let mut harness = page(WIDE);
     for aircraft in embedded_aircraft().0 {
         for plane in Plane::ALL.into_iter().filter(|plane| aircraft.plane_notes[*plane].is_some()) {
-            for rest in ["", "&tab=phase", "&tab=frequency", "&tab=figures&marks=approximations.levels"] {
+            for rest in [
+                "",
+                "&tab=phase",
+                "&tab=frequency",
+                "&tab=figures&marks=approximations.levels",
+                "&page=matrix&coloured=1&entries=full",
+                "&stage=equations.poles.modes&coloured=2",
+            ] {
                 let link = format!(
                     "v=1&ac={}&plane={}{rest}&details=shape.levels.approximations&split=modes&flight=nonlinear&{EVERYTHING}",
                     aircraft.key,
@@ -155,6 +162,24 @@ fn neither_hovering_nor_the_keyboard_answers_a_riddle() {
             }
         }
     }
+}
+
+/// What the tests above look for is found where nothing is hidden, so they would find it.
+#[test]
+fn where_nothing_is_hidden_hovering_and_the_keyboard_tell_all_of_it() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&plane=lon");
+    let secrets = secrets(app(&harness).scenario());
+    let count = |harness: &Page| {
+        let all: Vec<String> = told(harness).into_iter().chain(written(harness)).collect();
+        secrets.iter().filter(|secret| all.iter().any(|text| text.contains(*secret))).count()
+    };
+    let at_rest = count(&harness);
+    assert!(at_rest > 8, "{at_rest}");
+    let before = told(&harness).len();
+    let aircraft = places(&harness, "Fly the short period")[0];
+    rest_at(&mut harness, aircraft);
+    assert!(told(&harness).len() > before, "a hover text has come");
 }
 
 #[test]
@@ -335,6 +360,27 @@ fn all_that_is_locked_stays_whatever_is_tried() {
             .collect::<Vec<_>>()
     };
     assert_eq!(unplayed(&after), unplayed(&before));
+}
+
+#[test]
+fn a_pole_is_dragged_by_what_is_free() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&lock=cm_alpha.cm_q");
+    let before = app(&harness).scenario().clone();
+    let place = places(&harness, "Short period pole")[0];
+    drag(&mut harness, place, Vec2::new(-25.0, 0.0));
+    let after = app(&harness).scenario().clone();
+    assert_ne!(after, before, "by others");
+    for key in ["cm_alpha", "cm_q"] {
+        assert_eq!(value(&harness, key), Parameter::find(key).expect("a row").get(&before), "{key}");
+    }
+    // A task that offers one slider is solved by that one.
+    open(&mut harness, "v=1&ac=navion&offer=cm_q");
+    let before = app(&harness).scenario().clone();
+    let place = places(&harness, "Short period pole")[0];
+    drag(&mut harness, place, Vec2::new(-25.0, -10.0));
+    assert_ne!(value(&harness, "cm_q"), Parameter::find("cm_q").expect("a row").get(&before));
+    assert_eq!(value(&harness, "cm_alpha"), Parameter::find("cm_alpha").expect("a row").get(&before));
 }
 
 #[test]

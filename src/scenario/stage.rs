@@ -200,12 +200,12 @@ impl Stage {
         }
         let is_same = now.aircraft.key == before.aircraft.key;
         for parameter in parameters().filter(|p| self.locks_parameter(p)) {
-            if parameter.key == TIME {
-                // Else it would follow what is moved.
-                now.disturbance.follows = before.disturbance.follows;
-            }
             if parameter.is_of_disturbance() || is_same {
                 hold(parameter, before, now);
+            }
+            if parameter.key == TIME {
+                // What is set stays, and what doesn't stay follows: it does what it did.
+                now.disturbance.follows = before.disturbance.follows;
             }
         }
     }

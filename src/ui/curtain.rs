@@ -129,6 +129,11 @@ impl Curtain {
         self.stage.locks_parameter(parameter)
     }
 
+    /// Whether a parameter may be moved by something other than its slider: it is offered, and not locked.
+    pub fn frees(&self, parameter: &Parameter) -> bool {
+        self.stage.offers(parameter.key) && !self.locks_parameter(parameter)
+    }
+
     /// What can't be worked where something is locked.
     pub fn lock_ui<R>(&self, ui: &mut Ui, what: Lock, contents: impl FnOnce(&mut Ui) -> R) -> R {
         let is_locked = self.locks(what);

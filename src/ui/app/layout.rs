@@ -15,6 +15,8 @@ use crate::words;
 
 /// From this width on two panes of a tablet stand beside each other.
 const BESIDE: f32 = 560.0;
+/// From this height on panes alone share it, and needn't scroll.
+const BARE: f32 = 440.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
 /// Height of an aircraft turned by hand with its sliders, on a phone.
@@ -76,7 +78,7 @@ impl App {
                 }
                 return None;
             }
-            if wide {
+            if wide || self.is_bare(ui) {
                 for (pane, place) in places(&self.view.stage, ui.available_rect_before_wrap()) {
                     self.pane_ui(ui, pane, place);
                 }
@@ -133,6 +135,13 @@ impl App {
             })
         };
         CentralPanel::default().frame(ground).show(ui, middle).inner.or(action)
+    }
+
+    /// Whether the stage has panes alone, and the room is high enough for them at once, as that of a projector is.
+    fn is_bare(&self, ui: &Ui) -> bool {
+        let stage = &self.view.stage;
+        let beside = self.has_lesson() || stage.has(Part::Derivatives) || stage.has(Part::Modes);
+        !beside && ui.available_height() >= BARE
     }
 
     /// What goes on in a pane that is not on the stage.

@@ -8,6 +8,9 @@ use crate::scenario::{Lock, Scenario, View};
 use crate::ui::curtain::Curtain;
 use crate::ui::lesson::Session;
 
+/// The narrowest page that has room for everything \[points\].
+const NARROWEST: f32 = 320.0;
+
 /// The scene as it was when the frame began, where something of it stays so.
 #[derive(Debug)]
 pub(super) struct Held {
@@ -22,9 +25,11 @@ impl App {
         Curtain::new(&self.view.stage, revealed, self.findings.modes()).hang(ui.ctx());
     }
 
-    /// Makes type as large as the stage has it, beside what a person has chosen.
+    /// Makes type as large as the stage has it, beside what a person has chosen, but never so large that the page is too narrow.
     pub(super) fn fit_type(&mut self, ui: &Ui) {
-        let (before, now) = (self.panes.type_size.unwrap_or(1.0), self.view.stage.type_size as f32);
+        let before = self.panes.type_size.unwrap_or(1.0);
+        let most = (ui.content_rect().width() * before / NARROWEST).max(1.0);
+        let now = (self.view.stage.type_size as f32).min(most);
         if before != now {
             ui.ctx().set_zoom_factor(ui.ctx().zoom_factor() * now / before);
             self.panes.type_size = Some(now);

@@ -234,8 +234,8 @@ fn coloured_ui(ui: &mut Ui, modes: &[Mode], view: &mut EquationsView, size: Size
     let chooser = ComboBox::from_id_salt(("coloured", size == Size::Alone))
         .selected_text(RichText::new(chosen).font(theme::small()));
     let chooser = chooser.show_ui(ui, |ui| {
-        for (index, mode) in modes.iter().enumerate() {
-            ui.selectable_value(&mut view.coloured, Some(index), title(mode));
+        for index in curtain.order(modes) {
+            ui.selectable_value(&mut view.coloured, Some(index), title(&modes[index]));
         }
         ui.selectable_value(&mut view.coloured, None, words::equations::NO_MODE);
     });
@@ -258,8 +258,10 @@ fn polynomial_ui(ui: &mut Ui, equations: &Equations, modes: &[Mode], larger: f32
             ui.add(label.extend()).on_hover_text(words::equations::POLYNOMIAL);
         };
         formula(ui, &whole, palette.text);
-        for (of_mode, mode) in equations.factors.iter().zip(modes) {
-            formula(ui, &factor(*of_mode), palette.mode_text(mode.naming.name));
+        for index in Curtain::of(ui).order(modes) {
+            if let (Some(of_mode), Some(mode)) = (equations.factors.get(index), modes.get(index)) {
+                formula(ui, &factor(*of_mode), palette.mode_text(mode.naming.name));
+            }
         }
     });
 }

@@ -40,12 +40,16 @@ impl Choices {
         chosen.map_or_else(|| findings.movers(index, page), |(_, keys)| keys.clone())
     }
 
-    /// The same without those that are locked.
+    /// The same of what the stage leaves free; where that is none of them, what else moves the mode most.
     pub fn free_movers(&self, ui: &Ui, findings: &Findings, index: usize, page: Page) -> Vec<&'static str> {
         let curtain = Curtain::of(ui);
-        let is_locked = |key: &&str| Parameter::find(key).is_some_and(|p| curtain.locks_parameter(p));
         let mut movers = self.movers(findings, index, page);
-        movers.retain(|key| !is_locked(key));
+        let before = movers.len();
+        movers.retain(|key| is_free(&curtain, key));
+        if movers.is_empty() && before > 0 {
+            let others = by_strength(findings.sensitivities(page), index).into_iter();
+            movers = others.filter(|key| is_free(&curtain, key)).take(before).collect();
+        }
         movers
     }
 
@@ -159,8 +163,7 @@ impl Choices {
             let before = keys.clone();
             let rows = findings.sensitivities(page);
             ScrollArea::vertical().max_height(300.0).auto_shrink([false, true]).show(ui, |ui| {
-                let is_free = |key: &&str| Parameter::find(key).is_some_and(|p| !curtain.locks_parameter(p));
-                for key in by_strength(rows, index).into_iter().filter(is_free) {
+                for key in by_strength(rows, index).into_iter().filter(|key| is_free(&curtain, key)) {
                     let strength =
                         rows.iter().find(|row| row.key == key).and_then(|row| row.strengths[index]);
                     mover_ui(ui, key, strength, mode, &mut keys);
@@ -171,6 +174,10 @@ impl Choices {
             }
         });
     }
+}
+
+fn is_free(curtain: &Curtain, key: &str) -> bool {
+    Parameter::find(key).is_some_and(|parameter| curtain.frees(parameter))
 }
 
 /// Whether approximations are marked: they have the name of a mode, and its numbers.
