@@ -55,10 +55,17 @@ after(async () => {
   for (const browser of browsers.values()) await (await browser).close();
 });
 
+// A page that has greeted the person before. In a frame without an origin there is no storage.
+function greeted() {
+  try {
+    localStorage.setItem("eigenwing.greeted", "yes");
+  } catch {}
+}
+
 // Options: `viewport`, `colorScheme`, `touch`; `scale`, pixels a point of a real screen, for a play-acted one tells the
 // canvas other sizes than a real one; `flags` for the browser; `path` of another page ("example/") and `fragment` of the
 // address ("#v=1&ac=navion"); `before`, a function run in the page before its scripts; `server`, as in server.mjs;
-// `waitUntil`, as in Playwright's `goto`.
+// `waitUntil`, as in Playwright's `goto`; `firstVisit`, for the line that greets who hasn't been here.
 // Closes itself when the test ends.
 export async function open(t, options = {}) {
   const { viewport = { width: 1440, height: 900 }, colorScheme = "light", touch = false, scale } = options;
@@ -111,6 +118,7 @@ export async function open(t, options = {}) {
     }
   });
 
+  if (!options.firstVisit) await page.addInitScript(greeted);
   if (options.before) await page.addInitScript(options.before);
 
   const url = server.url + (options.path ?? "") + (options.fragment ?? "");

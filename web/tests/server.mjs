@@ -19,13 +19,14 @@ const TYPES = {
 
 // `missing` matches names that are not found; `slowly` sends the program in that many pieces,
 // with pauses of 50 ms.
-export async function serve({ missing = /^$/, slowly = 1 } = {}) {
+// `files` are texts by their names, beside those of the page.
+export async function serve({ missing = /^$/, slowly = 1, files = {} } = {}) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
     const name = pathname.slice(FOLDER.length).replace(/(^|\/)$/, "$1index.html");
     try {
       if (!pathname.startsWith(FOLDER) || missing.test(name)) throw new Error("missing");
-      const body = gzipSync(readFileSync(fileURLToPath(new URL(name, DIST))), { level: 1 });
+      const body = gzipSync(files[name] ?? readFileSync(fileURLToPath(new URL(name, DIST))), { level: 1 });
       response.writeHead(200, {
         "content-type": TYPES[extname(name)] ?? "application/octet-stream",
         "content-encoding": "gzip",

@@ -7,12 +7,17 @@ use super::course::{CourseState, FileRequest, LessonPane};
 use crate::scenario::Stage;
 use crate::scenario::link::LessonPlace;
 use crate::ui::finger;
-use crate::ui::lesson::{Chosen, Offer, Session, Wish, lesson_ui, lessons_sheet_ui};
+use crate::ui::lesson::{Chosen, Offer, Session, Wish, lesson_ui, lessons_sheet_ui, references_sheet_ui};
 use crate::ui::theme::{self, Palette};
 
 impl App {
-    /// The sheet of lessons, where it is open.
+    /// The sheet of lessons or that of references, where it is open.
     pub(super) fn lessons_ui(&mut self, ui: &Ui) {
+        if self.panes.references
+            && let Some(course) = self.course()
+        {
+            self.panes.references = references_sheet_ui(ui, &course.shelf, &self.aircraft);
+        }
         if !self.panes.lessons {
             return;
         }
@@ -31,6 +36,7 @@ impl App {
                 self.want_lesson(LessonPlace { address: key, step: 0, begins: true });
             }
             Some(Chosen::File) => self.panes.file_requests.push(FileRequest::Pick),
+            Some(Chosen::References) => self.panes.references = true,
             Some(Chosen::Report) => self.save_report(),
             Some(Chosen::Again) => {
                 self.panes.course = CourseState::Unwanted;

@@ -75,6 +75,8 @@ struct Panes {
     help: bool,
     /// Whether the sheet of lessons is open.
     lessons: bool,
+    /// Whether the sheet of references is open.
+    references: bool,
     course: CourseState,
     lesson: LessonPane,
     /// Files that are to be read for the page.

@@ -26,6 +26,8 @@ pub enum Chosen {
     File,
     /// To ask for the course once more.
     Again,
+    /// To see the references.
+    References,
     /// To save the report.
     Report,
 }
@@ -74,9 +76,12 @@ pub fn lessons_sheet_ui(
             ui.add_space(8.0);
         }
         ui.label(RichText::new("A lesson of your own, or a report, can be dropped on this page.").font(theme::small()));
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if has_files && ui.button("Open a file …").clicked() {
                 chosen = Some(Chosen::File);
+            }
+            if matches!(offer, Offer::Course(_)) && ui.button("References").clicked() {
+                chosen = Some(Chosen::References);
             }
             ui.button("Go on without a lesson").clicked()
         })
