@@ -83,6 +83,26 @@ fn analyse_as_a_table() {
 }
 
 #[test]
+fn why_says_what_moved_a_mode_and_gives_the_parts_by_key() {
+    let said = answer(&["why", "navion", "--set", "cm_q=-19.92"]);
+    assert!(said.contains("Moved: C_mq −9.96 → −19.9"), "{said}");
+    assert!(said.contains("Phugoid: ωₙ −13\u{a0}%, T 29.5 → 34.0 s, ζ 0.0801 → 0.101, by M_q."), "{said}");
+    assert!(said.contains("A new elevator is a new trim"), "{said}");
+    let json = answer(&["why", "navion", "--set", "cm_q=-19.92", "--json"]);
+    let report: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
+    let phugoid = &report["planes"][0]["modes"][1];
+    assert_eq!(phugoid["key"], "phugoid");
+    let frequency = &phugoid["shifts"][0];
+    assert_eq!(frequency["causes"][0]["key"], "m_q");
+    assert_eq!(frequency["approximation"], "phugoid-residualised");
+    let [part, from, to] = [&frequency["causes"][0]["part"], &frequency["from"], &frequency["to"]]
+        .map(|x| x.as_f64().expect("a number"));
+    assert!((part - (to - from)).abs() < 1e-9, "{part} of {from} to {to}");
+    // Nothing is set: nothing has moved.
+    assert!(!answer(&["why", "x15"]).contains("Moved"));
+}
+
+#[test]
 fn analyse_as_json() {
     insta::assert_snapshot!(rounded(&answer(&["analyse", "b747-fc9", "--json"])));
 }

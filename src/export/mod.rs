@@ -23,6 +23,7 @@ mod subject;
 mod sweep;
 #[cfg(test)]
 mod typescript;
+mod why;
 
 use serde_json::{Map, Value, json};
 
@@ -54,6 +55,7 @@ pub use subject::{ExportError, Source, Subject};
 pub use sweep::{
     MOST_POINTS, Sweep, SweepChange, SweepMode, SweepPlane, SweepPoint, SweepReport, SweepRequest,
 };
+pub use why::{CauseReport, MovedReport, ShiftReport, WhyMode, WhyPlane, WhyReport, why};
 
 /// The scenario and its analysis, SI and radians; an analysis that failed is a sentence.
 pub fn state(findings: &Findings) -> Value {

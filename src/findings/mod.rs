@@ -4,6 +4,7 @@
 //!
 //! | file | in one line |
 //! |---|---|
+//! | [`change`] | what a change of the aircraft did to each mode, and by which derivatives |
 //! | [`equations`] | A and B entry by entry, what they are made of, the characteristic polynomial |
 //! | `existing_range` | the part of a slider's range in which there is such a flight |
 //! | `sensitivities` | how strongly each parameter moves each mode |
@@ -15,6 +16,7 @@
 //! | [`measures`] | the one table of what can be read, by key |
 //! | `frequency` | gain, phase and peaks over frequency |
 
+pub mod change;
 pub mod equations;
 mod existing_range;
 mod frequency;

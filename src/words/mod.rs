@@ -7,6 +7,7 @@
 //! | module | words for |
 //! |---|---|
 //! | [`approximation`] | textbook approximations |
+//! | [`change`] | why a mode has moved |
 //! | [`disturbance`] | disturbances and their shapes |
 //! | [`equations`] | the rows and entries of the equations |
 //! | `errors` | why something can't be had: `Display` of the errors |
@@ -16,6 +17,7 @@
 //! | [`measure`] | what can be read of a scenario, and why it can't |
 //! | [`mode`] | names of modes |
 //! | [`naming`] | the reason for a name |
+//! | [`new_trim`] | where a control leads that stays deflected |
 //! | `notice` | what was left out of a link |
 //! | `placement` | why a dragged pole stops |
 //! | [`refusal`] | why a typed value was refused |
@@ -30,6 +32,7 @@
 //! | [`view`] | parts of the page |
 
 pub mod approximation;
+pub mod change;
 pub mod disturbance;
 pub mod equations;
 mod errors;
@@ -39,6 +42,7 @@ pub mod measure;
 pub mod metrics;
 pub mod mode;
 pub mod naming;
+pub mod new_trim;
 mod notice;
 mod placement;
 pub mod refusal;

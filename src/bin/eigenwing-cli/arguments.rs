@@ -44,6 +44,14 @@ pub enum Command {
         #[command(flatten)]
         output: Output,
     },
+    /// Why the modes stand elsewhere than in the aircraft's file: by which derivatives, and by which formula
+    Why {
+        #[command(flatten)]
+        subject: SubjectArguments,
+        /// JSON with every digit
+        #[arg(long)]
+        json: bool,
+    },
     /// The motion after a disturbance; its size and length are parameters: --set elevator=0.02 --set time=120
     Respond {
         #[command(flatten)]

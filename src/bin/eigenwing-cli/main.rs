@@ -79,6 +79,10 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::analysis(&report),
             }
         }
+        Command::Why { subject, json: as_json } => {
+            let report = export::why(&subject.read()?)?;
+            if *as_json { json(&report) } else { tables::why(&report) }
+        }
         Command::Respond { subject, plane, disturbance, shape, mode, steps, nonlinear, split, output } => {
             let request = ResponseRequest {
                 plane: plane.clone(),

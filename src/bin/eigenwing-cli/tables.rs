@@ -3,7 +3,7 @@
 use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
 use eigenwing::export::{
     AircraftReport, MeasureReport, MeasureValue, ParameterReport, PlaneOutcome, PlaneReport, Report,
-    StiffnessReport, SweepChange, SweepPlane, SweepReport, ValueReport,
+    StiffnessReport, SweepChange, SweepPlane, SweepReport, ValueReport, WhyReport,
 };
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::stability::Stability;
@@ -142,6 +142,21 @@ pub fn analysis(report: &Report) -> String {
     }
     if report.gravity_is_plausible == Some(false) {
         text += "\nGravity and speed of this model can't belong to one system of units\n";
+    }
+    text
+}
+
+/// Why the modes have moved, mode by mode.
+pub fn why(report: &WhyReport) -> String {
+    let mut text = format!("{}\n", report.name);
+    for plane in &report.planes {
+        text += &format!("\nMoved: {}\n", plane.sentence);
+        for mode in &plane.modes {
+            text += &format!("{}: {}\n", mode.name, mode.sentences.join(" "));
+        }
+    }
+    if let Some(trim) = &report.new_trim {
+        text += &format!("\n{trim}\n");
     }
     text
 }

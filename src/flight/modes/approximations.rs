@@ -190,7 +190,7 @@ impl DownwashLag {
     }
 
     /// A in stability axes as it is before the ẇ terms are solved for: every entry less what ẇ adds to its row.
-    fn unfold(self, a: &Matrix4<f64>) -> Matrix4<f64> {
+    pub fn unfold(self, a: &Matrix4<f64>) -> Matrix4<f64> {
         // ẇ of those axes is u̇ sin α₀ + ẇ cos α₀, their z axis [sin α₀, cos α₀]
         let (sin, cos) = self.alpha0.sin_cos();
         let rate = a.row(U.index()) * sin + a.row(W.index()) * cos;
