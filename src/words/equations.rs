@@ -9,7 +9,7 @@ use crate::words::sensitivity::NOTHING;
 pub const TITLE: &str = "Equations";
 
 /// Above bare matrices.
-pub const ONLY_NUMBERS: &str = "The source gives these numbers, and not what they are made of";
+pub const ONLY_NUMBERS: &str = "Numbers only: the source doesn’t say what they are made of";
 
 /// Beside the choosers, where the mode by which the entries are coloured is chosen.
 pub const COLOURED_BY: &str = "Coloured by";

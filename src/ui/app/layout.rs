@@ -20,7 +20,7 @@ const BARE: f32 = 440.0;
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
 /// Height of an aircraft turned by hand with its sliders, on a phone.
-const TURNED: f32 = 470.0;
+const TURNED: f32 = 440.0;
 /// Of more tabs of a phone each is narrower.
 const MOST_TABS: usize = 4;
 /// In a narrower pane the heading has a row of its own.
