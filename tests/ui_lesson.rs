@@ -273,7 +273,11 @@ fn a_reload_in_the_middle_loses_nothing_and_a_report_is_taken_up_elsewhere() {
 
 #[test]
 fn a_first_visit_is_greeted_once_with_three_ways_to_begin() {
-    for (way, then) in [("The course", "Go on without a lesson"), ("A riddle", "Close the lesson"), ("The workbench", "Pole map")] {
+    for (way, then) in [
+        ("The course", "Go on without a lesson"),
+        ("A riddle", "Close the lesson"),
+        ("The workbench", "Pole map"),
+    ] {
         for size in [WIDE, PHONE] {
             let mut harness = page(size);
             assert_eq!(count(&harness, "New here? Start with a question."), 0, "only where it was asked for");

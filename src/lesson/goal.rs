@@ -45,7 +45,11 @@ pub(super) fn changes(start: &Scenario, now: &Scenario) -> Vec<&'static str> {
         Some(offset) => offset != parameter.added(start).unwrap_or(0.0),
         None => parameter.applies(now) && parameter.get(now) != parameter.get(start),
     };
-    parameters().filter(|parameter| parameter.key != TIME).filter(moved).map(|parameter| parameter.key).collect()
+    parameters()
+        .filter(|parameter| parameter.key != TIME)
+        .filter(moved)
+        .map(|parameter| parameter.key)
+        .collect()
 }
 
 impl Condition {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
 use super::number::{Number, unknown};
-use crate::content::{Aircraft, ContentError};
 use crate::content::reader::line_of;
+use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
 
 /// Running text.

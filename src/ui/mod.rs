@@ -25,6 +25,7 @@ mod poles;
 mod responses;
 mod share;
 mod slider;
+mod slider_search;
 mod source_sheet;
 mod symbol;
 mod theme;

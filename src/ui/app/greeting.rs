@@ -28,7 +28,10 @@ impl App {
         Panel::top("greeting").frame(ground).show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
                 ui.label("New here? Start with a question.");
-                let course = ui.button("The course").on_hover_text("From which way is z to mending a matrix").clicked();
+                let course = ui
+                    .button("The course")
+                    .on_hover_text("From which way is z to mending a matrix")
+                    .clicked();
                 let riddle = ui.button("A riddle").on_hover_text("A goal, some sliders, and you").clicked();
                 let workbench = ui
                     .add(Button::new("The workbench"))

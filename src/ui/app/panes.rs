@@ -10,11 +10,12 @@ use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::view::{Marks, Pane};
 use crate::scenario::{Hidden, Page, Parameter, Source, View, parameters};
 use crate::ui::curtain::Curtain;
-use crate::ui::derivatives::{Chosen, Filter, Rows, derivatives_ui, is_listed};
+use crate::ui::derivatives::{Chosen, Rows, derivatives_ui};
 use crate::ui::equations::{Size, Wish};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::overall_level::overall_level_ui;
 use crate::ui::poles::{PoleMapContent, shows_approximations, shows_levels};
+use crate::ui::slider_search::{Filter, is_listed};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
