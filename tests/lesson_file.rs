@@ -16,7 +16,7 @@ The [short period](glossary:short_period) of the Navion.
 It has a period of `= short_period.period`, and `C_mα` matters.
 
 - one
-- *two*
+- *two*, as $\dot{q} = M_q q$
 
 ```predict
 kind = "choose"
@@ -64,6 +64,11 @@ fn a_lesson_is_steps_with_text_questions_and_tasks() {
     assert_eq!(number, Some(("short_period.period".to_owned(), 11)));
     let target = text.spans().find_map(|span| span.target.clone());
     assert_eq!(target, Some(Target::Glossary("short_period".to_owned())));
+    let formula = text.spans().find_map(|span| match &span.what {
+        What::Formula(formula) => Some((formula.in_words(), span.line)),
+        _ => None,
+    });
+    assert_eq!(formula, Some(("q dot equals M sub q times q".to_owned(), 14)));
     let Kind::Choose { choices, several: false } = &prediction.kind else { panic!("a choice") };
     assert_eq!(choices.iter().map(|choice| choice.right).collect::<Vec<_>>(), [false, true]);
     let task = faster.tasks().next().expect("a task");
@@ -116,6 +121,12 @@ fn each_mistake_has_its_sentence() {
             "becaus",
             "bob.md, line 21: choice.becaus: not a field of this table; expected: says, right, because",
         ),
+        (
+            "\\dot{q}",
+            "\\dott{q}",
+            "bob.md, line 14: formula: there is no command in formulas \"dott\"; did you mean \"dot\"?",
+        ),
+        ("- one\n", "```math\na\n\\frac{b}\n```\n", "bob.md, line 15: formula: expected a symbol or { and }"),
         ("ask = \"Explain", "as = \"Explain", "bob.md, line 40: ask: missing; expected a text in quotes"),
         (
             "short_period.period",

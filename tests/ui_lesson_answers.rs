@@ -232,3 +232,63 @@ fn what_is_written_is_kept_and_nothing_waits_for_it() {
     let field = harness.get_by_role(Role::MultilineTextInput);
     assert_eq!(field.accesskit_node().value().as_deref(), Some("The tail."));
 }
+
+const WORDS: &str = "The [short period](glossary:sp) is damped, [as printed](source:book): $\\dot{q} = M_q q$.\n\n\
+    ```math\n\\zeta = \\frac{a}{2\\omega_0}\n```\n";
+
+/// A lesson with a glossary and references of its own.
+fn words(size: Vec2) -> Page {
+    let mut harness = page(size);
+    let own = |name: &str, text: String| TextFile { name: name.to_owned(), text };
+    let lesson =
+        format!("+++\ntitle = \"Own\"\n+++\n## A step\n```scene\nlink = \"#v=1&ac=navion\"\n```\n{WORDS}\n");
+    let glossary = "[sp]\nword = \"short period\"\nsays = \"The quick swing of the nose.\"\n";
+    let references =
+        "[book]\nauthor = \"R. Nelson\"\ntitle = \"Flight Stability\"\npublished = \"McGraw-Hill 1998\"\n";
+    let app = harness.state_mut().as_mut().expect("the page has been drawn");
+    app.open_files(&[
+        own("own.md", lesson),
+        own("glossary.toml", glossary.to_owned()),
+        own("references.toml", references.to_owned()),
+    ]);
+    harness.run();
+    harness
+}
+
+#[test]
+fn a_word_of_the_glossary_opens_its_sentence_by_keyboard_and_a_source_its_reference_by_finger() {
+    let mut harness = words(WIDE);
+    harness.get_by_role_and_label(Role::Link, "short period").focus();
+    harness.run();
+    assert_eq!(count(&harness, "The quick swing of the nose."), 0);
+    press(&mut harness, Key::Enter, 1);
+    assert_eq!(count(&harness, "The quick swing of the nose."), 1);
+    press(&mut harness, Key::Escape, 1);
+    assert_eq!(count(&harness, "The quick swing of the nose."), 0);
+
+    let mut harness = words(PHONE);
+    let source = harness.get_by_role_and_label(Role::Link, "as printed").rect().center();
+    draw(&mut harness, true, &[source]);
+    assert!(count(&harness, "R. Nelson") > 0);
+    assert_eq!(count(&harness, "Flight Stability. McGraw-Hill 1998"), 1);
+    draw(&mut harness, true, &[Pos2::new(200.0, 820.0)]);
+    assert_eq!(count(&harness, "Flight Stability. McGraw-Hill 1998"), 0, "a tap elsewhere closes it");
+}
+
+#[test]
+fn formulas_are_told_in_words_and_text_can_be_selected_and_copied() {
+    let mut harness = words(WIDE);
+    harness.get_by_label("q dot equals M sub q times q");
+    harness.get_by_label("zeta equals the fraction a over 2 times omega sub 0, end of fraction,");
+    let text = rect(&harness, " is damped, ");
+    let (from, to) = (text.left_center() + Vec2::new(1.0, 0.0), text.right_center() - Vec2::new(1.0, 0.0));
+    draw(&mut harness, false, &[from, from.lerp(to, 0.5), to]);
+    harness.input_mut().events.push(Event::Copy);
+    harness.step();
+    let commands = &harness.output().platform_output.commands;
+    let copied = commands.iter().find_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    assert!(copied.is_some_and(|text| text.contains("is damped")), "{commands:?}");
+}

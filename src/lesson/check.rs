@@ -110,7 +110,7 @@ impl Check<'_> {
                         ));
                     }
                 }
-                What::Words(_) | What::Symbol(_) | What::Break => {}
+                What::Words(_) | What::Symbol(_) | What::Formula(_) | What::Break => {}
             }
         }
     }

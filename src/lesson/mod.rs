@@ -9,6 +9,9 @@
 //! | `step` | a step and its parts |
 //! | `scene` | a link, and where it stands |
 //! | `text` | running text in blocks and spans |
+//! | [`formula`] | a formula in text |
+//! | `formula_words` | a formula read aloud |
+//! | `formula_file` | the reader of a formula, as in TeX |
 //! | `number` | a number in the text, measured at a scene |
 //! | `prediction` | a question, its kinds and the reasons for wrong answers |
 //! | `prediction_file` | the reader of a question |
@@ -32,6 +35,9 @@ mod check;
 mod course;
 pub mod drawing;
 mod file;
+pub mod formula;
+mod formula_file;
+mod formula_words;
 mod given;
 mod goal;
 mod number;

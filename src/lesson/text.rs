@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
+use super::formula::Formula;
+use super::formula_file;
 use super::number::{Number, unknown};
 use crate::content::reader::line_of;
 use crate::content::{Aircraft, ContentError};
@@ -38,16 +40,21 @@ pub enum TextBlock {
     Quote(Vec<Span>),
     /// Text in which every space counts.
     Code(String),
+    /// A formula on a line of its own.
+    Formula(Formula),
+    /// Rows of cells, the first the heads of the columns.
+    Table(Vec<Vec<Vec<Span>>>),
 }
 
 impl TextBlock {
     /// Its spans; none of code.
-    pub fn spans(&self) -> &[Span] {
+    pub fn spans(&self) -> Vec<&Span> {
         match self {
             Self::Paragraph(spans) | Self::Heading(spans) | Self::Quote(spans) | Self::Item { spans, .. } => {
-                spans
+                spans.iter().collect()
             }
-            Self::Code(_) => &[],
+            Self::Table(rows) => rows.iter().flatten().flatten().collect(),
+            Self::Code(_) | Self::Formula(_) => Vec::new(),
         }
     }
 }
@@ -76,6 +83,8 @@ pub enum What {
     Symbol(String),
     /// A number that is measured.
     Number(Number),
+    /// A formula within the line.
+    Formula(Formula),
     /// The end of a line that stays one.
     Break,
 }
@@ -116,8 +125,11 @@ impl Target {
 /// The words after the fence of a block of a lesson.
 pub(super) const BLOCKS: [&str; 5] = ["scene", "predict", "reveal", "task", "write"];
 
-/// The options of Markdown that lessons use: none beyond CommonMark.
-pub(super) const OPTIONS: Options = Options::empty();
+/// The word after the fence of a formula on a line of its own.
+const MATH: &str = "math";
+
+/// The options of Markdown that lessons use beyond CommonMark: formulas between dollars, and tables.
+pub(super) const OPTIONS: Options = Options::ENABLE_MATH.union(Options::ENABLE_TABLES);
 
 impl Text {
     /// Reads Markdown whose first line is `line` of the file.
@@ -148,6 +160,7 @@ impl Text {
                 Some(Ok(value)) => value,
                 Some(Err(_)) | None => "–".to_owned(),
             },
+            What::Formula(formula) => formula.line(),
             What::Break => " ".to_owned(),
         });
         words.collect()
@@ -156,9 +169,10 @@ impl Text {
     /// Its words without any form, numbers left out.
     pub fn plain(&self) -> String {
         let words = self.spans().map(|span| match &span.what {
-            What::Words(words) | What::Symbol(words) => words.as_str(),
-            What::Number(_) => "",
-            What::Break => " ",
+            What::Words(words) | What::Symbol(words) => words.clone(),
+            What::Formula(formula) => formula.line(),
+            What::Number(_) => String::new(),
+            What::Break => " ".to_owned(),
         });
         words.collect()
     }
@@ -181,6 +195,10 @@ struct Reader<'t> {
     quotes: usize,
     heading: bool,
     code: Option<String>,
+    /// Where the formula begins that is being read as code.
+    formula: Option<usize>,
+    /// The rows of the table that is open.
+    table: Vec<Vec<Vec<Span>>>,
 }
 
 impl Reader<'_> {
@@ -224,7 +242,7 @@ impl Reader<'_> {
     fn take(&mut self, event: Event<'_>, offset: usize) -> Result<(), ContentError> {
         match event {
             Event::Start(tag) => self.start(tag, offset)?,
-            Event::End(tag) => self.end(tag),
+            Event::End(tag) => self.end(tag)?,
             Event::Text(text) => match &mut self.code {
                 Some(code) => code.push_str(&text),
                 None => self.push(What::Words(text.into_string()), offset),
@@ -241,13 +259,27 @@ impl Reader<'_> {
             Event::Html(_) | Event::InlineHtml(_) => {
                 return Err(self.error(offset, "expected Markdown, found HTML"));
             }
-            Event::Rule
-            | Event::FootnoteReference(_)
-            | Event::TaskListMarker(_)
-            | Event::InlineMath(_)
-            | Event::DisplayMath(_) => self.flush(),
+            Event::InlineMath(written) => {
+                let what = What::Formula(self.formula(&written, offset + 1)?);
+                self.push(what, offset);
+            }
+            Event::DisplayMath(written) => {
+                let formula = self.formula(&written, offset + 2)?;
+                self.flush();
+                self.blocks.push(TextBlock::Formula(formula));
+            }
+            Event::Rule | Event::FootnoteReference(_) | Event::TaskListMarker(_) => self.flush(),
         }
         Ok(())
+    }
+
+    /// Reads a formula that begins at an offset of the text.
+    fn formula(&self, written: &str, offset: usize) -> Result<Formula, ContentError> {
+        formula_file::read(written).map_err(|(at, problem)| {
+            let before = written.get(..at).unwrap_or_default().matches('\n').count();
+            let error = self.error(offset.min(self.markdown.len()), format!("formula: {problem}"));
+            ContentError { line: error.line + before, ..error }
+        })
     }
 
     fn start(&mut self, tag: Tag<'_>, offset: usize) -> Result<(), ContentError> {
@@ -274,10 +306,17 @@ impl Reader<'_> {
                 self.flush();
                 self.quotes += 1;
             }
+            Tag::CodeBlock(CodeBlockKind::Fenced(info)) if &*info == MATH => {
+                self.flush();
+                self.code = Some(String::new());
+                self.formula = Some(offset);
+            }
             Tag::CodeBlock(CodeBlockKind::Fenced(info)) if !info.is_empty() => {
-                let problem = unknown("block of a lesson", &info, BLOCKS.into_iter());
+                let problem = unknown("block of a lesson", &info, BLOCKS.into_iter().chain([MATH]));
                 return Err(self.error(offset, problem));
             }
+            Tag::Table(_) => self.flush(),
+            Tag::TableHead | Tag::TableRow => self.table.push(Vec::new()),
             Tag::CodeBlock(_) => {
                 self.flush();
                 self.code = Some(String::new());
@@ -287,7 +326,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn end(&mut self, tag: TagEnd) {
+    fn end(&mut self, tag: TagEnd) -> Result<(), ContentError> {
         match tag {
             TagEnd::Emphasis => self.emphasis = self.emphasis.saturating_sub(1),
             TagEnd::Strong => self.strong = self.strong.saturating_sub(1),
@@ -310,8 +349,24 @@ impl Reader<'_> {
                 self.flush();
                 self.quotes = self.quotes.saturating_sub(1);
             }
-            TagEnd::CodeBlock => self.blocks.extend(self.code.take().map(TextBlock::Code)),
+            TagEnd::TableCell => {
+                let cell = std::mem::take(&mut self.spans);
+                self.table.last_mut().into_iter().for_each(|row| row.push(cell.clone()));
+            }
+            TagEnd::Table => self.blocks.push(TextBlock::Table(std::mem::take(&mut self.table))),
+            TagEnd::CodeBlock => {
+                let code = self.code.take().unwrap_or_default();
+                self.blocks.push(match self.formula.take() {
+                    // It begins on the line after the fence.
+                    Some(fence) => {
+                        let first = self.markdown[fence..].find('\n').map_or(fence, |end| fence + end + 1);
+                        TextBlock::Formula(self.formula(&code, first)?)
+                    }
+                    None => TextBlock::Code(code),
+                });
+            }
             _ => {}
         }
+        Ok(())
     }
 }

@@ -1,6 +1,5 @@
 //! Lessons: what is said of a person's answers.
 
-use crate::lesson::Comparison;
 use crate::number::significant;
 
 /// By what factor an estimate is off, as the end of a sentence; nothing where it is near, or where no factor tells it.
@@ -16,10 +15,9 @@ pub fn factor(said: f64, found: f64) -> String {
     format!(", so you were too {way} by a factor of {}", significant(factor, 2))
 }
 
-/// What matters of a sketch: whether each is right, and a sentence; nothing of other answers.
-pub fn features(compared: &Comparison) -> Vec<(bool, &'static str)> {
-    let Comparison::Sketch { first, swings, ends } = *compared else { return Vec::new() };
-    vec![
+/// What matters of a sketch, each with a sentence: whether it starts, swings and ends as it should.
+pub fn features(first: bool, swings: bool, ends: bool) -> [(bool, &'static str); 3] {
+    [
         (first, if first { "It starts the right way." } else { "It starts another way." }),
         (swings, if swings { "It swings about as often." } else { "It swings another number of times." }),
         (ends, if ends { "It ends where it should." } else { "It ends elsewhere." }),

@@ -2,6 +2,7 @@
 
 mod choose;
 mod estimate;
+mod formula;
 mod map;
 mod order;
 mod pad;
@@ -12,6 +13,7 @@ mod sheet;
 mod sketch;
 mod task;
 mod text;
+mod word;
 mod write;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -100,9 +100,13 @@ fn outcome_ui(
     };
     let outcome = truth.compare(&prediction.kind, answer);
     let palette = Palette::of(ui);
-    let (verdict, color) = said(&outcome, palette);
-    ui.label(RichText::new(verdict).font(theme::semibold(theme::body().size)).color(color));
-    for (is_right, sentence) in words::lesson::features(&outcome) {
+    let color = color(&outcome, palette);
+    ui.label(RichText::new(outcome.says()).font(theme::semibold(theme::body().size)).color(color));
+    let features = match outcome {
+        Comparison::Sketch { first, swings, ends } => words::lesson::features(first, swings, ends).to_vec(),
+        _ => Vec::new(),
+    };
+    for (is_right, sentence) in features {
         let (mark, color) = if is_right { ("✓", palette.good) } else { ("✗", palette.bad) };
         ui.label(RichText::new(format!("{mark} {sentence}")).color(color));
     }
@@ -111,19 +115,13 @@ fn outcome_ui(
     }
 }
 
-/// What an answer is, in a sentence, and the colour that it is told in.
-fn said(outcome: &Comparison, palette: &'static Palette) -> (&'static str, Color32) {
+/// The colour in which it is told what an answer is.
+fn color(outcome: &Comparison, palette: &'static Palette) -> Color32 {
     match outcome {
-        Comparison::DontKnow => ("Now you can find out.", palette.text),
-        Comparison::Number(Estimated::Near) => ("Within 10 %.", palette.good),
-        Comparison::Number(Estimated::RightOrder) => ("The right order.", palette.warning),
-        Comparison::Number(Estimated::Far) => ("The right way, but far.", palette.warning),
-        Comparison::Number(Estimated::WrongWay) => ("The other way.", palette.bad),
-        Comparison::Place(PlaceCompared::Near) => ("That is the place.", palette.good),
-        Comparison::Place(PlaceCompared::RightRegion) => ("The right region.", palette.warning),
-        Comparison::Place(PlaceCompared::Far) => ("The right side, but far.", palette.warning),
-        Comparison::Place(PlaceCompared::WrongSide) => ("The other side.", palette.bad),
-        outcome if outcome.is_right() => ("That is right.", palette.good),
-        _ => ("Not so.", palette.bad),
+        Comparison::DontKnow => palette.text,
+        outcome if outcome.is_right() => palette.good,
+        Comparison::Number(Estimated::RightOrder | Estimated::Far)
+        | Comparison::Place(PlaceCompared::RightRegion | PlaceCompared::Far) => palette.warning,
+        _ => palette.bad,
     }
 }

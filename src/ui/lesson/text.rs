@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
-use egui::{FontId, Label, Response, RichText, Sense, Ui};
+use egui::{FontId, Grid, RichText, TextStyle, Ui};
 
 use super::Wish;
+use super::formula::{display_ui, inline_ui};
+use super::word::word_ui;
 use crate::content::Aircraft;
 use crate::findings::Findings;
-use crate::lesson::{Shelf, Span, Target, Text, TextBlock, What};
-use crate::ui::symbol::prose;
+use crate::lesson::{Shelf, Span, Text, TextBlock, What};
+use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -23,35 +25,70 @@ pub struct Context<'a> {
     pub aircraft: &'a [Arc<Aircraft>],
 }
 
-/// Draws text; gives a scene that it leads to, if the person goes there.
+/// Draws text, which can be selected and copied; gives what it leads to, if the person goes there.
 pub fn text_ui(ui: &mut Ui, text: &Text, context: Context<'_>) -> Option<Wish> {
     let mut wish = None;
-    for block in &text.blocks {
-        let line = |ui: &mut Ui| {
-            ui.spacing_mut().item_spacing = egui::Vec2::new(0.0, 3.0);
-            if let TextBlock::Item { depth, number, begins, .. } = block {
-                ui.add_space(12.0 * (*depth as f32));
-                match number {
-                    Some(number) => ui.label(format!("{number}. ")),
-                    None if *begins => ui.label("• "),
-                    None => ui.label(""),
-                };
-            }
-            if let TextBlock::Code(code) = block {
-                ui.monospace(code);
-            }
-            let is_strong = matches!(block, TextBlock::Heading(_));
-            for span in block.spans() {
-                wish = span_ui(ui, span, is_strong, context).or(wish.take());
-            }
-        };
+    for (number, block) in text.blocks.iter().enumerate() {
         ui.scope(|ui| {
             // A word that leads somewhere stands in its line like the others, on a phone too.
             ui.spacing_mut().interact_size.y = 0.0;
-            ui.horizontal_wrapped(line);
+            ui.style_mut().interaction.selectable_labels = true;
+            wish = block_ui(ui, block, number, context).or(wish.take());
         });
         ui.add_space(2.0);
     }
+    wish
+}
+
+fn block_ui(ui: &mut Ui, block: &TextBlock, number: usize, context: Context<'_>) -> Option<Wish> {
+    let (depth, bullet) = match block {
+        TextBlock::Formula(formula) => {
+            display_ui(ui, formula);
+            return None;
+        }
+        TextBlock::Code(code) => {
+            ui.monospace(code);
+            return None;
+        }
+        TextBlock::Table(rows) => return table_ui(ui, rows, number, context),
+        TextBlock::Item { depth, number: Some(number), .. } => (*depth, format!("{number}. ")),
+        TextBlock::Item { depth, begins: true, .. } => (*depth, "• ".to_owned()),
+        TextBlock::Item { depth, .. } => (*depth, String::new()),
+        TextBlock::Quote(_) => (1, String::new()),
+        TextBlock::Paragraph(_) | TextBlock::Heading(_) => (0, String::new()),
+    };
+    let mut wish = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = egui::Vec2::new(0.0, 3.0);
+        ui.add_space(12.0 * depth as f32);
+        if !bullet.is_empty() {
+            ui.label(bullet);
+        }
+        let is_strong = matches!(block, TextBlock::Heading(_));
+        for span in block.spans() {
+            wish = span_ui(ui, span, is_strong, context).or(wish.take());
+        }
+    });
+    wish
+}
+
+/// A table, its first row the heads of its columns.
+fn table_ui(ui: &mut Ui, rows: &[Vec<Vec<Span>>], number: usize, context: Context<'_>) -> Option<Wish> {
+    let mut wish = None;
+    ui.spacing_mut().interact_size.y = ui.text_style_height(&TextStyle::Body);
+    Grid::new(("table", number)).striped(true).spacing((14.0, 4.0)).show(ui, |ui| {
+        for (row, cells) in rows.iter().enumerate() {
+            for cell in cells {
+                ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = 0.0;
+                    for span in cell {
+                        wish = span_ui(ui, span, row == 0, context).or(wish.take());
+                    }
+                });
+            }
+            ui.end_row();
+        }
+    });
     wish
 }
 
@@ -66,39 +103,27 @@ fn span_ui(ui: &mut Ui, span: &Span, is_strong: bool, context: Context<'_>) -> O
             Some(Err(absence)) => format!("({})", words::measure::absence(&absence)),
             None => String::new(),
         },
+        What::Formula(formula) => {
+            inline_ui(ui, formula);
+            return None;
+        }
         What::Break => {
             ui.end_row();
             return None;
         }
     };
-    let response: Response = match &span.target {
-        None => {
-            ui.label(prose(&words, font, palette.text));
-            return None;
-        }
-        Some(_) => {
-            let text = RichText::new(words).font(font).color(palette.accent).underline();
-            ui.add(Label::new(text).sense(Sense::CLICK))
-        }
-    };
-    let target = span.target.as_ref()?;
-    let told = match target {
-        Target::Glossary(key) => context.shelf.glossary.get(key).map(|entry| entry.says.clone()),
-        Target::Source(key) => context
-            .shelf
-            .references
-            .get(key)
-            .map(|source| format!("{}, {}, {}", source.author, source.title, source.published)),
-        Target::Scene(_) => Some("Open this scene".to_owned()),
-        Target::Lesson(_) | Target::Page(_) => None,
-    };
-    let response = match told {
-        Some(told) => response.on_hover_text(told),
-        None => response,
-    };
-    match target {
-        Target::Scene(link) if response.clicked() => Some(Wish::Scene(link.clone())),
-        Target::Lesson(key) if response.clicked() => Some(Wish::Lesson(key.clone())),
-        _ => None,
+    if let Some(target) = &span.target {
+        return word_ui(ui, &words, RichText::new(&words).font(font), target, context);
     }
+    if let What::Symbol(symbol) = &span.what {
+        // Letters of the maths face are smaller than those of the text.
+        ui.label(Symbol::parse(symbol).job(1.15 * font.size, palette.text));
+        return None;
+    }
+    let mut job = prose(&words, font, palette.text);
+    if span.emphasis {
+        job.sections.iter_mut().for_each(|section| section.format.italics = true);
+    }
+    ui.label(job);
+    None
 }
