@@ -13,6 +13,12 @@ use crate::project::Project;
 /// import and export; on a line of 5 Mbit/s a full one would take 2.2 s to arrive.
 const BUDGET: usize = 1_350_000;
 
+/// The lessons, which are fetched when a person asks for them, likewise.
+const LESSONS_BUDGET: usize = 400_000;
+
+/// Their folder.
+const LESSONS: &str = "lessons";
+
 /// The module and its example, which the page doesn't load, likewise.
 const CORE_BUDGET: usize = 300_000;
 
@@ -23,9 +29,12 @@ pub fn check(project: &Project) -> Result<()> {
     collect_files(&dist, &mut files)?;
     files.sort();
     let of_core = core_module::FOLDERS.map(|folder| dist.join(folder));
-    let (core, page): (Vec<_>, Vec<_>) =
+    let (core, rest): (Vec<_>, Vec<_>) =
         files.into_iter().partition(|file| of_core.iter().any(|folder| file.starts_with(folder)));
+    let (lessons, page): (Vec<_>, Vec<_>) =
+        rest.into_iter().partition(|file| file.starts_with(dist.join(LESSONS)));
     check_budget(&dist, "page", &page, BUDGET)?;
+    check_budget(&dist, "course", &lessons, LESSONS_BUDGET)?;
     check_budget(&dist, "JavaScript module", &core, CORE_BUDGET)
 }
 
