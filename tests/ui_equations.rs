@@ -5,7 +5,7 @@ mod page;
 use egui::accesskit::Role;
 use egui::{Key, Rect, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use page::{PHONE, Page, WIDE, app, choose, open, page};
+use page::{PHONE, Page, WIDE, app, choose, open, page, type_into};
 
 const MATRIX: &str = "v=1&ac=navion&page=matrix";
 
@@ -151,6 +151,22 @@ fn they_stand_alone_by_key_by_button_by_link_and_as_a_part_of_the_stage() {
         assert_eq!(entries(&page).len(), 24, "{size}");
     }
     assert_eq!(entries(&page(WIDE)).len(), 0, "only where they are named");
+}
+
+#[test]
+fn without_sliders_an_entry_leads_nowhere_and_says_its_row() {
+    let mut page = opened(WIDE, "v=1&ac=navion&stage=equations.poles");
+    page.get_by_label_contains("A, row q dot, column w").click();
+    page.run();
+    assert!(says(&page, "Pitching moment over"));
+    assert!(!says(&page, "To the slider of") && !app(&page).link().contains("page="));
+}
+
+#[test]
+fn who_searches_for_the_equations_is_told_where_they_are() {
+    let mut page = page(WIDE);
+    type_into(&mut page, "Find a derivative", "equat");
+    assert!(says(&page, "The equations are behind the button beside this field"));
 }
 
 #[test]

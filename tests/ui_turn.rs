@@ -60,6 +60,38 @@ fn what_an_axis_or_an_angle_is_is_said_in_a_sentence() {
     }
 }
 
+/// Where the label of an angle is written on the picture.
+fn label(page: &Page, text: &str) -> Option<egui::Pos2> {
+    page.output().shapes.iter().find_map(|clipped| match &clipped.shape {
+        egui::Shape::Text(shape) if shape.galley.text() == text.replace(' ', "") => {
+            Some(shape.visual_bounding_rect().center())
+        }
+        _ => None,
+    })
+}
+
+#[test]
+fn the_label_of_an_angle_is_a_handle() {
+    let mut page = page(WIDE);
+    open(&mut page, "v=1&ac=navion&turn=30.20.10&pane=aircraft");
+    for (text, by, turned) in [
+        ("ψ 30.0°", Vec2::new(40.0, 0.0), "turn=50.20.10"),
+        ("θ 20.0°", Vec2::new(0.0, -30.0), "turn=50.35.10"),
+        ("φ 10.0°", Vec2::new(-60.0, 0.0), "turn=50.35.-20"),
+    ] {
+        let at = label(&page, text).expect("a label");
+        page.hover_at(at);
+        page.run();
+        page.drag_at(at);
+        page.run();
+        page.hover_at(at + by);
+        page.run();
+        page.drop_at(at + by);
+        page.run();
+        assert!(app(&page).link().contains(turned), "{text}: {}", app(&page).link());
+    }
+}
+
 #[test]
 fn every_control_of_it_is_in_the_pane_and_on_no_other() {
     for size in [WIDE, PHONE, Vec2::new(1024.0, 768.0)] {

@@ -14,7 +14,7 @@ use super::slider::ReferenceSlider;
 use super::slider_search::{Filter, elsewhere, is_listed, search_ui};
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
-use super::{finger, influence};
+use super::{finger, influence, slider_search};
 use crate::content::LengthUnit;
 use crate::findings::{Findings, RowSensitivity};
 use crate::key::Keyed as _;
@@ -128,7 +128,8 @@ pub fn derivatives_ui(
                 words::sliders::NONE.to_owned()
             } else {
                 let elsewhere = elsewhere(scenario, *page, filter);
-                let sentences = [Some(words::sliders::no_match(search.trim())), elsewhere];
+                let equations = slider_search::equations(search).map(str::to_owned);
+                let sentences = [Some(words::sliders::no_match(search.trim())), equations.or(elsewhere)];
                 sentences.into_iter().flatten().collect::<Vec<_>>().join(" ")
             };
             ui.label(RichText::new(text).font(theme::small()));

@@ -38,6 +38,8 @@ pub struct FlightPane {
     models: Models,
     /// The symbol that a sentence is said of, where it is turned by hand.
     explained: &'static str,
+    /// What a drag has left of a whole degree of ψ, θ and φ.
+    rest: [f32; 3],
 }
 
 impl Default for FlightPane {
@@ -48,6 +50,7 @@ impl Default for FlightPane {
             advanced: None,
             models: HashMap::new(),
             explained: words::turn::EXPLAINED[0],
+            rest: [0.0; 3],
         }
     }
 }
@@ -155,7 +158,7 @@ impl FlightPane {
             is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
         let curtain = Curtain::of(ui);
         let note = stays.filter(|_| !curtain.hides_values()).or(exaggerated);
-        let Self { picture: widget, playback, models, explained, .. } = self;
+        let Self { picture: widget, playback, models, explained, rest, .. } = self;
         let Some((model, finish)) = model(models, flown.scenario.aircraft.shape) else { return };
         let [elevator, aileron, rudder] = pose.deflections.map(|x| x as f32);
         let picture = Picture {
@@ -203,11 +206,24 @@ impl FlightPane {
         match &mut view.turn {
             Some(turn) => {
                 *explained = widget.pointed.unwrap_or(explained);
+                drag(turn, rest, widget.dragged);
                 let locked = Curtain::of(ui);
                 locked.lock_ui(ui, Lock::View, |ui| turn_ui(ui, turn, explained));
             }
             None => transport_ui(ui, playback, &mut view.pace),
         }
+    }
+}
+
+/// Turns by a drag, in whole degrees.
+fn drag(turn: &mut Turn, rest: &mut [f32; 3], dragged: [f32; 3]) {
+    let Turn { psi, theta, phi } = turn;
+    for (k, angle) in [psi, theta, phi].into_iter().enumerate() {
+        rest[k] += dragged[k];
+        let whole = rest[k].trunc();
+        rest[k] -= whole;
+        let largest = f32::from(Turn::LARGEST[k]);
+        *angle = (f32::from(*angle) + whole).clamp(-largest, largest) as i16;
     }
 }
 

@@ -109,6 +109,17 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
         || in_sentences()
 }
 
+/// What is searched for where the equations are wanted, condensed.
+const EQUATIONS: [&str; 4] = ["equations", "matrices", "characteristicpolynomial", "eigenvalues"];
+
+/// Where the equations are, if it is them that is searched for.
+pub fn equations(search: &str) -> Option<&'static str> {
+    let wanted = search.trim().to_lowercase();
+    let is_long = wanted.chars().count() >= FOR_SENTENCES;
+    let is_meant = is_long && EQUATIONS.iter().any(|word| word.starts_with(&wanted.replace(' ', "")));
+    is_meant.then_some(words::sliders::EQUATIONS)
+}
+
 /// Where else the search would find something: the page and the plane of the first slider that it finds.
 pub fn elsewhere(scenario: &Scenario, page: Page, filter: Filter<'_>) -> Option<String> {
     let other = match scenario.plane {

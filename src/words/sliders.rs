@@ -47,6 +47,9 @@ pub const AS_IT_WAS: &str = "As it was last: with the sliders as they are it can
 /// In a pane where nothing has ever followed.
 pub const NOTHING: &str = "Nothing to show, since this can't be analysed.";
 
+/// Where the equations are, for who searches for them among the sliders.
+pub const EQUATIONS: &str = "The equations are behind the button beside this field (E).";
+
 /// Where a search of the sliders would have found one.
 pub fn elsewhere(name: &str, place: &str) -> String {
     format!("The {name} is under {place}.")

@@ -32,6 +32,16 @@ pub const fn about(axis: usize) -> (&'static str, &'static str) {
     }
 }
 
+/// Which angle the label of an angle or its axis is of: ψ, θ and φ are 0, 1 and 2.
+pub fn angle(symbol: &str) -> Option<usize> {
+    match symbol {
+        "ψ" | "z: ψ, r" => Some(0),
+        "θ" | "y: θ, q" => Some(1),
+        "φ" | "x: φ, p" => Some(2),
+        _ => None,
+    }
+}
+
 /// What a symbol on the picture means; `None` for what has no direction of its own.
 pub fn sentence(symbol: &str) -> Option<&'static str> {
     Some(match symbol {

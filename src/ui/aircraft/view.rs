@@ -25,6 +25,8 @@ use crate::words;
 const VEIL: f32 = 0.6;
 /// A drag over this many points turns the camera by 1 rad.
 const DRAG: f32 = 160.0;
+/// A drag of a label over one point turns the aircraft by so much \[°\].
+const DEGREES: f32 = 0.5;
 /// An arrow key turns it by so much \[rad\].
 const STEP: f32 = 0.12;
 /// A key zooms by so much.
@@ -55,6 +57,8 @@ pub struct AircraftView {
     whole: f32,
     /// The symbol on the picture that is pointed at or was tapped in this frame.
     pub pointed: Option<&'static str>,
+    /// How far a label of the aircraft turned by hand was dragged in this frame: ψ, θ and φ \[°\].
+    pub dragged: [f32; 3],
 }
 
 impl AircraftView {
@@ -132,7 +136,7 @@ impl AircraftView {
             };
         }
         if ui.is_rect_visible(pane) {
-            self.explain(ui, draw(ui, pane, view, picture));
+            self.explain(ui, draw(ui, pane, view, picture), picture.is_turned);
             if response.has_focus() {
                 let stroke = Stroke::new(2.0, Palette::of(ui).accent);
                 ui.painter().rect_stroke(pane, CornerRadius::same(4), stroke, StrokeKind::Inside);
@@ -144,13 +148,21 @@ impl AircraftView {
 }
 
 impl AircraftView {
-    /// Says what the label under the pointer means.
-    fn explain(&mut self, ui: &Ui, labels: Vec<(String, Rect)>) {
-        self.pointed = None;
+    /// Says what the label under the pointer means; turns the aircraft by hand where the label of an angle or its axis is dragged.
+    fn explain(&mut self, ui: &Ui, labels: Vec<(String, Rect)>, is_turned: bool) {
+        (self.pointed, self.dragged) = (None, [0.0; 3]);
         for (symbol, place) in labels {
             let Some(sentence) = words::turn::sentence(&symbol) else { continue };
-            let label = ui.interact(place, Id::unique(("label on the aircraft", &symbol)), Sense::CLICK);
-            if label.hovered() || label.clicked() {
+            let turns =
+                words::turn::angle(&symbol).filter(|_| is_turned && !Curtain::of(ui).locks(Lock::View));
+            let sense = if turns.is_some() { Sense::CLICK | Sense::DRAG } else { Sense::CLICK };
+            let label = ui.interact(place, Id::unique(("label on the aircraft", &symbol)), sense);
+            if let Some(angle) = turns.filter(|_| label.dragged()) {
+                let Vec2 { x, y } = label.drag_delta();
+                // Up is nose-up; to the right is nose right, and right wing down.
+                self.dragged[angle] += DEGREES * if angle == 1 { -y } else { x };
+            }
+            if label.hovered() || label.dragged() || label.clicked() {
                 let is_of = |explained: &&str| words::turn::sentence(explained) == Some(sentence);
                 self.pointed = words::turn::EXPLAINED.into_iter().find(is_of);
             }

@@ -8,7 +8,7 @@ use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::view::{Marks, Pane};
-use crate::scenario::{Hidden, Page, Parameter, Source, View, parameters};
+use crate::scenario::{Hidden, Lock, Page, Parameter, Part, Source, View, parameters};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::{Chosen, Rows, derivatives_ui};
 use crate::ui::equations::{Size, Wish};
@@ -24,7 +24,7 @@ impl App {
         if !self.view.page.is_of(&self.scenario) {
             self.view.page = Page::of(&self.scenario);
         }
-        let (last, _) = self.shown();
+        let (last, is_stale) = self.shown();
         let (mut enlarge, mut wish) = (false, Wish::default());
         self.panes.touched = {
             let Panes { search, asked, equations: of_equations, .. } = &mut self.panes;
@@ -33,7 +33,13 @@ impl App {
             let chosen = Chosen { page, search, stage, asked: asked.take(), equations: &mut enlarge };
             let above = |ui: &mut Ui| {
                 if beside {
-                    wish = of_equations.show(ui, &last, equations, Size::Beside);
+                    let show = |ui: &mut Ui| {
+                        if is_stale {
+                            ui.disable();
+                        }
+                        of_equations.show(ui, &last, equations, (Size::Beside, true))
+                    };
+                    wish = ui.scope(show).inner;
                 }
             };
             derivatives_ui(ui, &mut self.scenario, chosen, rows, (&self.findings, &last), above)
@@ -54,14 +60,22 @@ impl App {
     /// The equations alone.
     pub(super) fn equations_ui(&mut self, ui: &mut Ui) {
         let findings = self.shown_ui(ui);
-        let wish = self.panes.equations.show(ui, &findings, &mut self.view.equations, Size::Alone);
+        let leads = self.view.stage.has(Part::Derivatives);
+        let view = &mut self.view.equations;
+        let wish = self.panes.equations.show(ui, &findings, view, (Size::Alone, leads));
+        if !leads {
+            // No slider takes it back.
+            self.panes.touched = None;
+        }
         self.grant(ui, wish);
     }
 
     /// Goes to the slider that is asked for in the equations, or puts them alone.
     fn grant(&mut self, ui: &Ui, Wish { touched, asked, enlarge }: Wish) {
         self.panes.touched = touched.or(self.panes.touched);
-        if let Some(parameter) = asked {
+        let stays = Curtain::of(ui).locks(Lock::View);
+        let is_in_reach = |parameter: &&Parameter| !stays || parameter.page == Some(self.view.page);
+        if let Some(parameter) = asked.filter(is_in_reach) {
             self.view.page = parameter.page.unwrap_or(self.view.page);
             self.panes.asked = Some(parameter.key);
             self.panes.phone_pane = PhonePane::Derivatives;

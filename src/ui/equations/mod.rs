@@ -54,8 +54,14 @@ pub struct EquationsPane {
 }
 
 impl EquationsPane {
-    /// Draws the equations of the plane on screen.
-    pub fn show(&mut self, ui: &mut Ui, findings: &Findings, view: &mut EquationsView, size: Size) -> Wish {
+    /// Draws the equations of the plane on screen; whether they lead to sliders depends on whether there are any.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        findings: &Findings,
+        view: &mut EquationsView,
+        (size, leads): (Size, bool),
+    ) -> Wish {
         let mut wish = Wish::default();
         let Some(equations) = findings.equations() else { return wish };
         let modes = findings.modes();
@@ -82,13 +88,13 @@ impl EquationsPane {
         self.chosen = chosen.unwrap_or(self.chosen);
         let slider = |(row, column): Place| equations.slider(row, column).map(|(parameter, _)| parameter);
         wish.touched = hovered.and_then(slider).map(|parameter| parameter.key);
-        wish.asked = asked.and_then(slider);
+        wish.asked = asked.filter(|_| leads).and_then(slider);
         let larger = enlargement(ui, size);
         if let Some((_, mode)) = mode {
             // Once understood it needs no large type.
             small_ui(ui, &legend(&curtain, mode), larger.min(1.3));
         }
-        let of_derivative = self.row_ui(ui, findings, &writing, larger);
+        let of_derivative = self.row_ui(ui, findings, &writing, (larger, leads));
         wish.asked = of_derivative.or(wish.asked);
         if !curtain.hides(Hidden::Numbers) {
             polynomial_ui(ui, equations, modes, larger);
@@ -102,7 +108,7 @@ impl EquationsPane {
         ui: &mut Ui,
         findings: &Findings,
         writing: &Writing<'_>,
-        larger: f32,
+        (larger, leads): (f32, bool),
     ) -> Option<&'static Parameter> {
         let (equations, palette) = (writing.equations, Palette::of(ui));
         let (row, column) = self.chosen;
@@ -126,7 +132,7 @@ impl EquationsPane {
             let font = egui::FontId::proportional(larger * theme::sizes(ui).small);
             job.append(unit, 3.0, TextFormat::simple(font, palette.weak));
             ui.add(Label::new(job).extend());
-            let derivatives = equations.derivatives(row, column);
+            let derivatives = if leads { equations.derivatives(row, column) } else { Vec::new() };
             if !derivatives.is_empty() {
                 let font = egui::FontId::proportional(larger * theme::sizes(ui).small);
                 let words = RichText::new(words::equations::TO_SLIDERS).font(font).color(palette.weak);
