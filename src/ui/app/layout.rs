@@ -15,8 +15,8 @@ use crate::words;
 
 /// From this width on two panes of a tablet stand beside each other.
 const BESIDE: f32 = 560.0;
-/// From this height on panes alone share it, and needn't scroll.
-const BARE: f32 = 440.0;
+/// From these heights on one row of panes alone, and two of them, have room for all that is in them.
+const BARE: [f32; 2] = [360.0, 600.0];
 /// Between panes.
 const PANE_GAP: f32 = 10.0;
 /// Height of an aircraft turned by hand with its sliders, on a phone.
@@ -141,7 +141,9 @@ impl App {
     fn is_bare(&self, ui: &Ui) -> bool {
         let stage = &self.view.stage;
         let beside = self.has_lesson() || stage.has(Part::Derivatives) || stage.has(Part::Modes);
-        !beside && ui.available_height() >= BARE
+        let has_any = |parts: [Part; 2]| parts.into_iter().any(|part| stage.has(part));
+        let two = has_any([Part::Poles, Part::Aircraft]) && has_any([Part::Response, Part::Equations]);
+        !beside && ui.available_height() >= BARE[usize::from(two)]
     }
 
     /// What goes on in a pane that is not on the stage.
