@@ -6,7 +6,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::content::TextFile;
-use page::{PHONE, Page, WIDE, page, type_into};
+use page::{PHONE, Page, WIDE, page, type_into, value};
 
 /// A lesson of one step with these blocks.
 fn lesson(size: Vec2, blocks: &str) -> Page {
@@ -291,4 +291,71 @@ fn formulas_are_told_in_words_and_text_can_be_selected_and_copied() {
         _ => None,
     });
     assert!(copied.is_some_and(|text| text.contains("is damped")), "{commands:?}");
+}
+
+const TASK: &str = "```task\ngoal = \"Make it swing faster.\"\noffer = [\"cm_alpha\", \"cd\"]\nsolution_after = 3\nhints = [\"Stiffness.\"]\n\
+    solution = \"#v=1&ac=navion&cm_alpha=-2.5&cd=0.06\"\n[[until]]\nmeasure = \"short_period.imaginary_part\"\nat_least = \"1.5 × start\"\n```";
+
+/// The slider of the stiffness is moved by so many arrows, and left so long that this is a try.
+fn try_stiffness(harness: &mut Page, arrows: usize) {
+    let slider = harness
+        .query_all_by_role(Role::Slider)
+        .find(|node| node.accesskit_node().label().is_some_and(|label| label.contains("C_mα")));
+    slider.expect("the slider that is offered").focus();
+    harness.run();
+    press(harness, Key::ArrowLeft, arrows);
+    harness.run_steps(8);
+}
+
+#[test]
+fn a_task_tells_the_way_and_its_solution_comes_after_hints_and_tries() {
+    let mut harness = lesson(WIDE, TASK);
+    harness.get_by_label("0 % of the way");
+    assert_eq!(
+        count(&harness, "Show a solution") + count(&harness, "A solution comes"),
+        0,
+        "hints come first"
+    );
+    click(&mut harness, "Give me a hint");
+    harness.get_by_label("A solution comes after 2 more tries.");
+    // However many arrows, what is left as it is is one try.
+    try_stiffness(&mut harness, 3);
+    harness.get_by_label("A solution comes after one more try.");
+    assert_eq!(count(&harness, "0 % of the way"), 0, "it has come nearer");
+    assert_eq!(count(&harness, " % of the way"), 1);
+    harness.run_steps(20);
+    harness.get_by_label("A solution comes after one more try.");
+    try_stiffness(&mut harness, 1);
+    harness.get_by_role_and_label(Role::Button, "Show a solution");
+}
+
+#[test]
+fn a_solution_is_played_slider_by_slider_and_one_s_own_scene_comes_back() {
+    let mut harness = lesson(WIDE, &TASK.replace("solution_after = 3", "solution_after = 1"));
+    click(&mut harness, "Give me a hint");
+    try_stiffness(&mut harness, 2);
+    let mine = (value(&harness, "cm_alpha"), value(&harness, "cd"));
+    // As on a page with motion.
+    harness.ctx.all_styles_mut(|style| style.animation_time = 0.1);
+    harness.get_by_role_and_label(Role::Button, "Show a solution").click_accesskit();
+    let mut seen = Vec::new();
+    for _ in 0..400 {
+        harness.step();
+        let now = (value(&harness, "cm_alpha"), value(&harness, "cd"));
+        if seen.last() != Some(&now) {
+            seen.push(now);
+        }
+    }
+    assert!(seen.len() > 4, "it can be followed: {seen:?}");
+    assert_eq!(seen.last(), Some(&(-2.5, 0.06)));
+    assert!(seen.windows(2).all(|pair| pair[0].0 == pair[1].0 || pair[0].1 == pair[1].1), "one at a time");
+    assert_eq!(count(&harness, "✓ Done"), 1);
+    harness.ctx.all_styles_mut(|style| style.animation_time = 0.0);
+    click(&mut harness, "Back to my scene");
+    assert_eq!((value(&harness, "cm_alpha"), value(&harness, "cd")), mine);
+    harness.get_by_role_and_label(Role::Button, "Show a solution");
+
+    // There with reduced motion at once.
+    click(&mut harness, "Show a solution");
+    assert_eq!(value(&harness, "cm_alpha"), -2.5);
 }

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use super::moves::moves;
 use super::task::{Amount, Condition, Task, Wanted};
 use crate::content::Aircraft;
 use crate::findings::Findings;
 use crate::findings::measures::{Absence, Reading};
-use crate::scenario::stage::TIME;
-use crate::scenario::{Scenario, parameters};
+use crate::scenario::Scenario;
 
 /// How near a condition is.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,18 +38,9 @@ impl Task {
     }
 }
 
-/// Keys of the parameters that were themselves moved, without what follows from them, and without the time shown, which follows the
-/// motion.
+/// Keys of the parameters that were themselves moved.
 pub(super) fn changes(start: &Scenario, now: &Scenario) -> Vec<&'static str> {
-    let moved = |parameter: &&'static crate::scenario::Parameter| match parameter.added(now) {
-        Some(offset) => offset != parameter.added(start).unwrap_or(0.0),
-        None => parameter.applies(now) && parameter.get(now) != parameter.get(start),
-    };
-    parameters()
-        .filter(|parameter| parameter.key != TIME)
-        .filter(moved)
-        .map(|parameter| parameter.key)
-        .collect()
+    moves(start, now).into_iter().map(|step| step.parameter.key).collect()
 }
 
 impl Condition {

@@ -23,6 +23,7 @@
 //! | `sketch` | what matters of a curve drawn by hand |
 //! | `task` | a goal, what may be used, and its conditions |
 //! | `task_file` | the reader of a task |
+//! | `moves` | the movements of sliders from one scene to another |
 //! | `goal` | conditions judged on a scene, with how near they are |
 //! | `shelf` | the glossary and the references |
 //! | `course` | lessons in their order, with what they share |
@@ -40,6 +41,7 @@ mod formula_file;
 mod formula_words;
 mod given;
 mod goal;
+mod moves;
 mod number;
 mod prediction;
 mod prediction_file;
@@ -60,6 +62,7 @@ pub use course::Course;
 pub use file::Lesson;
 pub use given::{Answers, Given, Place};
 pub use goal::{Progress, progress};
+pub use moves::{Move, moves};
 pub use number::Number;
 pub use prediction::{Choice, Item, Kind, Prediction};
 pub use record::{Record, Records};

@@ -88,6 +88,7 @@ impl App {
         };
         match wish {
             Some(Wish::Step) => self.open_step(),
+            Some(Wish::Set(scenario)) => self.scenario = *scenario,
             Some(Wish::Scene(link)) => self.open_scene(&link),
             Some(Wish::Lesson(address)) => {
                 self.want_lesson(LessonPlace { address, step: 0, begins: true });

@@ -11,8 +11,10 @@ mod question;
 mod references;
 mod sheet;
 mod sketch;
+mod solution;
 mod task;
 mod text;
+mod way;
 mod word;
 mod write;
 
@@ -26,11 +28,12 @@ use super::theme::{self, Palette};
 use crate::content::{Aircraft, ContentError, TextFile};
 use crate::findings::Findings;
 use crate::lesson::{Answers, Lesson, Part, Place, Record, Shelf, Step};
+use crate::scenario::Scenario;
 use crate::scenario::link::LessonPlace;
 use question::{Asked, question_ui};
 pub use references::references_sheet_ui;
 pub use sheet::{Chosen, Offer, lessons_sheet_ui};
-use task::task_ui;
+use task::{Tried, task_ui};
 use text::text_ui;
 use write::write_ui;
 
@@ -54,11 +57,15 @@ pub struct Session {
     given: Answers,
     /// Questions that have been on screen.
     asked: BTreeMap<Place, Asked>,
+    /// Tasks that have been on screen.
+    tried: BTreeMap<Place, Tried>,
 }
 
 /// What a person asks for in the pane of a lesson.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
+    /// Study this, seen as before.
+    Set(Box<Scenario>),
     /// Open a scene.
     Scene(String),
     /// Open another lesson of the course, by its key.
@@ -94,6 +101,7 @@ impl Session {
             start,
             given: before.answers.fitting(&lesson),
             asked: BTreeMap::new(),
+            tried: BTreeMap::new(),
             lesson,
         };
         session.seen.insert(step);
@@ -223,8 +231,8 @@ pub fn lesson_ui(
             }
             Part::Reveal(_) => {}
             Part::Task(task) => {
-                let given = session.given.at(at);
-                let asked = ui.push_id(at, |ui| task_ui(ui, task, given, now, context)).inner;
+                let (given, tried) = (session.given.at(at), session.tried.entry(at).or_default());
+                let asked = ui.push_id(at, |ui| task_ui(ui, task, given, tried, now, context)).inner;
                 wish = asked.or(wish);
             }
             Part::Write(writing) => {

@@ -1,22 +1,65 @@
 //! A task: its goal, how near each of its conditions is, hints one at a time, and a solution last.
 
-use egui::{ProgressBar, RichText, Ui};
+use std::time::Duration;
+
+use egui::{RichText, Ui};
 
 use super::Wish;
+use super::solution::Played;
 use super::text::{Context, text_ui};
+use super::way::way_ui;
 use crate::findings::Findings;
 use crate::findings::measures::{Measure, Reading};
-use crate::lesson::{Condition, Given, Progress, SolutionAfter, Task, Wanted, progress};
+use crate::lesson::{Condition, Given, Move, Progress, SolutionAfter, Task, Wanted, moves, progress};
 use crate::scenario::Hidden;
 use crate::ui::curtain::Curtain;
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
-/// Draws a task; gives its solution as a scene, if the person asks for it.
+/// A scene is a try once it has been left as it is for so long \[s\].
+const RESTS: f64 = 0.8;
+
+/// A task on screen: what has been tried, and its solution where that is played.
+#[derive(Debug, Default)]
+pub struct Tried {
+    /// What is moved, and since when it is as it is \[s\].
+    last: Option<(Vec<Move>, f64)>,
+    /// What was moved in the last try.
+    counted: Vec<Move>,
+    played: Option<Played>,
+}
+
+impl Tried {
+    /// Counts a scene that is left as it is and doesn't reach the goal.
+    fn count(&mut self, ui: &Ui, given: &mut Given, start: &Findings, now: &Findings) {
+        let moved = moves(start.scenario(), now.scenario());
+        let time = ui.input(|input| input.time);
+        let since = match &self.last {
+            Some((last, since)) if *last == moved => *since,
+            _ => {
+                self.last = Some((moved.clone(), time));
+                time
+            }
+        };
+        if moved.is_empty() || moved == self.counted {
+            return;
+        }
+        let left = RESTS - (time - since);
+        if left > 0.0 || ui.input(|input| input.pointer.any_down()) {
+            ui.request_repaint_after(Duration::from_secs_f64(left.max(0.1)));
+            return;
+        }
+        self.counted = moved;
+        given.tries = given.tries.saturating_add(1);
+    }
+}
+
+/// Draws a task; gives the scene that the person asks for, if they do.
 pub fn task_ui(
     ui: &mut Ui,
     task: &Task,
     given: &mut Given,
+    tried: &mut Tried,
     now: &Findings,
     context: Context<'_>,
 ) -> Option<Wish> {
@@ -33,27 +76,66 @@ pub fn task_ui(
         ui.label(RichText::new(text).font(theme::small()).color(palette.weak));
     }
     if task.is_met(context.start, now, context.aircraft) {
+        given.reached = true;
         let done = RichText::new("✓ Done").font(theme::semibold(theme::sizes(ui).value));
         ui.label(done.color(palette.good));
+    } else if tried.played.is_none() {
+        tried.count(ui, given, context.start, now);
     }
     for hint in task.hints.iter().take(given.hints) {
         wish = text_ui(ui, hint, context).or(wish);
+    }
+    if let Some(played) = &mut tried.played {
+        let (scene, is_over) = played.ui(ui);
+        if is_over {
+            tried.played = None;
+        }
+        return scene.or(wish);
     }
     ui.horizontal_wrapped(|ui| {
         if given.hints < task.hints.len() && ui.button("Give me a hint").clicked() {
             given.hints += 1;
         }
-        let may_see = task.solution_after != SolutionAfter::Never && given.hints == task.hints.len();
-        if let Some(solution) = task.solution.as_ref().filter(|_| may_see)
-            && ui.button("Show a solution").clicked()
-        {
-            wish = Some(Wish::Scene(solution.link.clone()));
-        }
+        wish = solution_ui(ui, task, given, tried, now, context).or(wish.take());
         if ui.button("Begin again").clicked() {
             wish = Some(Wish::Step);
         }
     });
     wish
+}
+
+/// The button that plays the solution, once there have been tries and hints enough; before, how many are to come.
+fn solution_ui(
+    ui: &mut Ui,
+    task: &Task,
+    given: &mut Given,
+    tried: &mut Tried,
+    now: &Findings,
+    context: Context<'_>,
+) -> Option<Wish> {
+    let (SolutionAfter::Tries(tries), Some(solution)) = (task.solution_after, &task.solution) else {
+        return None;
+    };
+    if given.hints < task.hints.len() {
+        return None;
+    }
+    // Whoever has asked for a hint has tried.
+    let left = (tries as usize).saturating_sub(given.tries as usize + given.hints);
+    if left > 0 && !given.reached {
+        let text = match left {
+            1 => "A solution comes after one more try.".to_owned(),
+            left => format!("A solution comes after {left} more tries."),
+        };
+        ui.label(RichText::new(text).font(theme::small()).color(Palette::of(ui).weak));
+        return None;
+    }
+    if ui.button("Show a solution").clicked() {
+        let solved = solution.open(context.aircraft)?.scenario;
+        given.solution_shown |= !given.reached;
+        tried.played = Some(Played::begin(ui, now, solved));
+        ui.request_repaint();
+    }
+    None
 }
 
 /// A condition: what it measures, from where it comes, where it is and where it is to go.
@@ -88,10 +170,20 @@ fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context
     let text = if is_hidden {
         format!("{mark} {}: wanted {wanted}", words::measure::name(measure))
     } else {
-        format!("{mark} {}: {now}, wanted {wanted}", words::measure::name(measure))
+        let name = words::measure::name(measure);
+        match &progress.start {
+            Ok(start) => {
+                let start = words::measure::reading(measure, *start, length);
+                format!("{mark} {name}: {now}, at the start {start}, wanted {wanted}")
+            }
+            Err(_) => format!("{mark} {name}: {now}, wanted {wanted}"),
+        }
     };
     ui.label(RichText::new(text).font(theme::small()).color(color));
-    if progress.share > 0.0 && !progress.met && !is_hidden {
-        ui.add(ProgressBar::new(progress.share as f32).desired_height(6.0));
+    let numbers = (&progress.start, &progress.now, progress.wanted);
+    if let (Ok(Reading::Number(start)), Ok(Reading::Number(now)), Some(wanted)) = numbers
+        && !is_hidden
+    {
+        way_ui(ui, progress, *start, *now, wanted);
     }
 }
