@@ -9,7 +9,7 @@ use crate::words::sensitivity::NOTHING;
 pub const TITLE: &str = "Equations";
 
 /// Above bare matrices.
-pub const ONLY_NUMBERS: &str = "Numbers only: the source doesn’t say what they are made of";
+pub const ONLY_NUMBERS: &str = "Numbers only: the source doesn't say what they are made of";
 
 /// Beside the choosers, where the mode by which the entries are coloured is chosen.
 pub const COLOURED_BY: &str = "Coloured by";
@@ -79,7 +79,7 @@ pub fn legend(mode: &str) -> String {
 pub fn strength(strength: f64, mode: &str) -> String {
     let change = significant(100.0 * CHANGE, 2);
     if strength < NOTHING {
-        format!("it doesn’t move the {mode}")
+        format!("it doesn't move the {mode}")
     } else {
         format!("{change} % of it move the {mode} by {} %", significant(100.0 * strength, 2))
     }

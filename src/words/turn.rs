@@ -72,7 +72,7 @@ pub fn sentence(symbol: &str) -> Option<&'static str> {
              lifts x above the horizon."
         }
         "φ" => {
-            "φ, bank, turns third: about the body’s own x axis, positive right wing down. It takes the wings out of the level."
+            "φ, bank, turns third: about the body's own x axis, positive right wing down. It takes the wings out of the level."
         }
         "p" => "p, roll rate, is how fast it turns about its x axis, positive right wing down.",
         "q" => "q, pitch rate, is how fast it turns about its y axis, positive nose-up.",

@@ -350,7 +350,7 @@ fn beside(panes: &[Pane], room: Rect, share: f32) -> impl Iterator<Item = (Pane,
         2 => [inset(left, [0.0, gap, 0.0, 0.0]), inset(right, [gap, 0.0, 0.0, 0.0])],
         _ => [room, room],
     };
-    panes.to_vec().into_iter().zip(places)
+    panes.iter().copied().zip(places)
 }
 
 /// The frame of what stands on the left and right.
