@@ -23,7 +23,7 @@ const PATH: f64 = 8.0;
 /// A frame that took longer than this \[s\] was none: the page was hidden.
 const LONGEST_FRAME: f64 = 1.0;
 /// Least height of the picture of an aircraft that is turned by hand \[points\]; in less room it scrolls with its sliders.
-const LEAST_TURNED: f32 = 150.0;
+const LEAST_TURNED: f32 = 120.0;
 /// The propeller turns so fast on screen \[rad/s\]: slowly enough to be seen turning.
 const PROPELLER: f64 = 14.0;
 

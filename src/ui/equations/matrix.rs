@@ -20,6 +20,8 @@ use crate::words::sensitivity::NOTHING;
 /// Sizes of type that entries may have, beside the sliders and where they are alone \[points\].
 const SMALL: [f32; 2] = [11.0, 14.0];
 const LARGE: [f32; 2] = [13.0, 34.0];
+/// Lines of the large entries' type that a pane is to have room for.
+const LINES: f32 = 22.0;
 /// The size at which entries are measured, to find the one that fits.
 const MEASURED: f32 = 20.0;
 // In sizes of type.
@@ -109,7 +111,9 @@ pub(super) fn matrices_ui(ui: &mut Ui, matrices: Matrices<'_>) -> Picked {
     let measured = Layout::of(ui, &matrices, MEASURED).width();
     // In half points, so that a number that gets a digit more doesn't make all others tremble.
     let fitting = (2.0 * MEASURED * room / measured).floor() / 2.0;
-    let layout = Layout::of(ui, &matrices, fitting.clamp(smallest, largest));
+    // What is seen at once has room for the words below too.
+    let highest = if matrices.is_large { (ui.clip_rect().height() / LINES).floor() } else { largest };
+    let layout = Layout::of(ui, &matrices, fitting.min(highest).clamp(smallest, largest));
     if layout.width() <= room + 1.0 {
         return board_ui(ui, matrices, &layout);
     }

@@ -20,11 +20,12 @@ use crate::scenario::view::{Entries, EquationsView};
 use crate::scenario::{Hidden, Lock, Parameter};
 use crate::words;
 
-/// Significant digits of an entry beside the sliders, and where it is alone.
+/// Significant digits of an entry where there is little room, and where it is alone in much.
 const DIGITS: [usize; 2] = [3, 4];
-/// Of the equations alone, smallest and largest type over that of the page, and the width that has the type of the page \[points\].
+/// Of the equations alone, smallest and largest type over that of the page, and the width and height that have the type of the page \[points\].
 const LARGER: [f32; 2] = [1.0, 2.2];
 const USUAL_WIDTH: f32 = 480.0;
+const USUAL_HEIGHT: f32 = 270.0;
 
 /// Where the equations stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +75,7 @@ impl EquationsPane {
             equations,
             entries: view.entries,
             length: findings.scenario().aircraft.length_unit,
-            digits: DIGITS[usize::from(size == Size::Alone)],
+            digits: DIGITS[usize::from(size == Size::Alone && ui.available_width() >= USUAL_WIDTH)],
         };
         let matrices = Matrices {
             writing,
@@ -173,7 +174,10 @@ impl EquationsPane {
 fn enlargement(ui: &Ui, size: Size) -> f32 {
     match size {
         Size::Beside => 1.0,
-        Size::Alone => (ui.available_width() / USUAL_WIDTH).clamp(LARGER[0], LARGER[1]),
+        Size::Alone => {
+            let [across, down] = [ui.available_width() / USUAL_WIDTH, ui.clip_rect().height() / USUAL_HEIGHT];
+            across.min(down).clamp(LARGER[0], LARGER[1])
+        }
     }
 }
 
