@@ -607,7 +607,8 @@ mod tests {
             ] {
                 check(look, 4.5, what, color, &[ground, p.pane, p.field, p.background]);
             }
-            for name in MODES {
+            for (p, name) in [p, look.unnamed_palette()].into_iter().flat_map(|p| MODES.map(|name| (p, name)))
+            {
                 check(look, 4.5, words::mode::title(name), p.mode_text(name), &grounds);
                 for (bar, words) in p.bars(name) {
                     check(look, 4.5, "words on a bar", words, &[bar]);
@@ -640,6 +641,21 @@ mod tests {
             look.set(&ctx);
             assert_eq!(Look::chosen(&ctx), Some(look));
             assert_eq!(Look::by_key(look.key()), Some(look));
+        }
+    }
+
+    #[test]
+    fn no_colour_tells_the_name_of_a_mode_where_names_are_hidden() {
+        for look in [Look::Light, Look::Dark, Look::Projector] {
+            let p = look.unnamed_palette();
+            for name in MODES {
+                assert_eq!((p.mode(name), p.mode_text(name)), (p.mode(MODES[0]), p.mode_text(MODES[0])));
+                assert_eq!(p.bars(name), p.bars(MODES[0]));
+            }
+            assert_eq!(
+                (p.pane, p.text, p.good),
+                (look.palette().pane, look.palette().text, look.palette().good)
+            );
         }
     }
 
