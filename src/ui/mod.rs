@@ -30,6 +30,7 @@ mod source_sheet;
 mod symbol;
 mod theme;
 mod top_bar;
+mod why;
 
 pub use app::{App, FileRequest};
 pub use palette::Look;

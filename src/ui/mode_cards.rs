@@ -9,6 +9,7 @@ use super::curtain::Curtain;
 use super::phasors::phasors_ui;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
+use super::why::Why;
 use crate::content::LengthUnit;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::states::Lateral;
@@ -83,7 +84,7 @@ pub struct Card<'a> {
 }
 
 /// Draws a mode's card. Says whether the person asked to fly it alone, or to stop.
-pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
+pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details, why: &mut Why) -> bool {
     let Card { plane, mode, before, .. } = card;
     let palette = Palette::of(ui);
     let curtain = Curtain::of(ui);
@@ -108,6 +109,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
             if let Some(before) = before.filter(|_| !curtain.hides(Hidden::Numbers)) {
                 ui.label(RichText::new(change(before, mode)).font(theme::small()).color(palette.text));
             }
+            why.show(ui, mode.naming.name);
             fly = buttons_ui(ui, card, details);
             if details.shape && offers_shape(&curtain) {
                 phasors_ui(ui, &plane.model, mode, color);
@@ -164,7 +166,7 @@ fn title_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode, details: &mut Detai
 }
 
 /// Keeps a button where it is on screen when it opens something on every card: those above grow too, and push it down.
-fn hold_place(ui: &Ui, button: &Response, mode: ModeName, detail: &str) {
+pub(super) fn hold_place(ui: &Ui, button: &Response, mode: ModeName, detail: &str) {
     let id = Id::unique(("held in place", mode.key(), detail));
     if button.clicked() {
         ui.data_mut(|data| data.insert_temp(id, button.rect.top()));

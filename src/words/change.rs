@@ -11,6 +11,16 @@ use crate::scenario::Parameter;
 use crate::words::approximation::signed_percent;
 use crate::words::mode;
 
+/// The head of the sentences.
+pub const TITLE: &str = "Why it moved";
+/// What it is compared with: the aircraft's file.
+pub const SINCE_FILE: &str = "Compared with the aircraft as its source has it";
+/// What it is compared with: the pinned state.
+pub const SINCE_PIN: &str = "Compared with the pinned state";
+/// What more there is.
+pub const MORE_MEANING: &str =
+    "The part of each derivative, which add up to the change, and the formula that has it";
+
 /// A cause that has less than this fraction of the largest isn't named.
 const MINOR: f64 = 0.15;
 /// No more causes are named.

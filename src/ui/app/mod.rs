@@ -42,6 +42,7 @@ use crate::ui::share::Share;
 use crate::ui::source_sheet::source_sheet_ui;
 use crate::ui::theme::{self, Palette};
 use crate::ui::top_bar::{Bar, top_bar_ui};
+use crate::ui::why::Why;
 use crate::words;
 
 /// Below this width the page is a phone's.
@@ -96,6 +97,7 @@ struct Panes {
     /// Key of a slider to go to.
     asked: Option<&'static str>,
     strongest: Strongest,
+    why: Why,
     phone_pane: PhonePane,
     /// The mode that is flown alone: its plane, its place among the modes, and its name.
     held: Option<(Plane, usize, ModeName)>,

@@ -214,6 +214,9 @@ impl App {
             columns.iter_mut().for_each(Ui::disable);
         }
         let pinned = self.pinned_findings.clone();
+        if let Some(ui) = columns.first().filter(|ui| !Curtain::of(ui).hides_influence()) {
+            self.panes.why.update(ui, pinned.as_ref(), &findings);
+        }
         let choice = self.scenario.disturbance.choices[self.scenario.plane];
         let last = analysed.modes.len().saturating_sub(1);
         let mut asked = None;
@@ -226,7 +229,7 @@ impl App {
             let card = Card { plane: analysed, mode, before, flown };
             // Columns would stretch every line to their width.
             let ragged = Layout::top_down(Align::Min);
-            let card = |ui: &mut Ui| card_ui(ui, card, &mut self.view.details);
+            let card = |ui: &mut Ui| card_ui(ui, card, &mut self.view.details, &mut self.panes.why);
             if columns[column(place)].with_layout(ragged, card).inner {
                 asked = Some((i, flown));
             }

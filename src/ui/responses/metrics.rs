@@ -3,6 +3,7 @@
 use egui::{Grid, RichText, ScrollArea, Ui};
 
 use super::curves::units;
+use crate::findings::change::NewTrim;
 use crate::findings::{Extreme, Findings, Metrics, OutputMetrics};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::response_metrics::StepMetrics;
@@ -25,6 +26,12 @@ pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
             .map(|line| format!("{line} (pinned)"));
         for line in of_the_whole(metrics, plane, is_named).into_iter().chain(of_pinned) {
             ui.label(prose(&line, theme::body(), Palette::of(ui).text));
+        }
+        if !Curtain::of(ui).hides_influence()
+            && let Some(trim) = NewTrim::of(findings)
+        {
+            let text = words::new_trim::sentence(&trim, findings.scenario().aircraft.length_unit);
+            ui.label(prose(&text, theme::body(), Palette::of(ui).text));
         }
         ui.add_space(4.0);
         table_ui(ui, findings.scenario(), metrics);
