@@ -144,6 +144,16 @@ fn each_broken_promise_has_its_sentence() {
         ),
         (
             "```predict",
+            "```predict\nkind = \"place\"\nask = \"?\"\nmode = \"phugoid\"\nwrong_side = \"a\"\nfar = \"b\"\n```\n```predict",
+            "good.md, line 10: the pole is on screen: expected a scene whose stage is without poles, or after, a scene to which it goes",
+        ),
+        (
+            "```predict",
+            "```predict\nkind = \"sketch\"\nask = \"?\"\noutput = \"q\"\nfirst = \"a\"\noscillates = \"b\"\nends = \"c\"\n```\n```predict",
+            "good.md, line 10: the curve is on screen: expected a scene with hide=curves, or after, a scene that has it",
+        ),
+        (
+            "```predict",
             "```reveal\nDown.\n```\n```predict",
             "good.md, line 5: a reveal has a question before it; expected ```predict",
         ),

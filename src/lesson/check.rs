@@ -15,6 +15,7 @@ use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
 use crate::findings::measures::Reading;
 use crate::flight::motion::outputs::Output;
+use crate::scenario::{Hidden, Part as Page, Stage};
 use crate::words;
 
 impl Lesson {
@@ -46,6 +47,7 @@ impl Check<'_> {
 
     fn step(&mut self, step: &Step) {
         let Some(start) = self.open(&step.scene) else { return };
+        let stage = step.scene.open(self.aircraft).map(|opened| opened.view.stage).unwrap_or_default();
         let mut asked = false;
         for part in &step.parts {
             match part {
@@ -55,6 +57,7 @@ impl Check<'_> {
                 Part::Prediction(prediction) => {
                     asked = true;
                     self.prediction(prediction, &start);
+                    self.answer_on_screen(prediction, &stage);
                 }
                 Part::Task(task) => self.task(task, &start),
                 Part::Text(_) | Part::Reveal(_) | Part::Write(_) => {}
@@ -113,6 +116,21 @@ impl Check<'_> {
                 What::Words(_) | What::Symbol(_) | What::Formula(_) | What::Break => {}
             }
         }
+    }
+
+    /// What is asked for isn't on screen while it is asked for.
+    fn answer_on_screen(&mut self, prediction: &Prediction, stage: &Stage) {
+        let problem = match prediction.kind {
+            _ if prediction.after.is_some() => return,
+            Kind::Place { .. } if stage.has(Page::Poles) => {
+                "the pole is on screen: expected a scene whose stage is without poles, or after, a scene to which it goes"
+            }
+            Kind::Sketch { .. } if stage.has(Page::Response) && !stage.hides(Hidden::Curves) => {
+                "the curve is on screen: expected a scene with hide=curves, or after, a scene that has it"
+            }
+            _ => return,
+        };
+        self.error(prediction.line, problem);
     }
 
     fn prediction(&mut self, prediction: &Prediction, start: &Findings) {

@@ -38,7 +38,8 @@ pub fn place_ui(
     let Some(Truth::Pole(pole)) = truth else { return };
     let poles = context.start.modes();
     let before = poles.iter().find(|found| found.naming.name == mode).filter(|_| moves);
-    let (rect, response) = pad::room(ui, HEIGHT, Sense::click_and_drag());
+    let (rect, response) =
+        pad::room(ui, HEIGHT, if given.is_final { Sense::HOVER } else { Sense::click_and_drag() });
     let chart = Chart { rect, view: view(*pole, before.map(|mode| mode.lambda)).shaped(rect) };
     let zero = chart.position(Complex::default()).x;
     let stable = Rect::from_x_y_ranges(rect.left()..=zero, rect.y_range());

@@ -1,6 +1,8 @@
 //! A question for a curve: drawn by mouse or finger, moved point by point by arrow keys, or set in numbers.
 
-use egui::{Button, CollapsingHeader, Pos2, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
+use egui::{
+    Button, CollapsingHeader, Grid, Pos2, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role,
+};
 
 use super::pad;
 use super::place::read;
@@ -19,6 +21,9 @@ use crate::ui::theme::{self, Palette};
 const HEIGHT: f32 = 190.0;
 /// An arrow key moves a point by this part of the height.
 const FINE: f64 = 1.0 / 40.0;
+
+/// Room for a time and its number.
+const PAIR: f32 = 100.0;
 
 /// Where the hand is on the pad.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,7 +52,7 @@ pub fn sketch_ui(
     let largest = found.iter().fold(0.0, |most: f64, value| most.max(value.abs())).max(1e-9) / unit;
     // As far down as up, so that the axes don't tell the way.
     let top = round_up(1.3 * largest);
-    let (rect, response) = pad::room(ui, HEIGHT, Sense::drag());
+    let (rect, response) = pad::room(ui, HEIGHT, if given.is_final { Sense::HOVER } else { Sense::drag() });
     let chart = Chart { rect, view: View { left: 0.0, right: duration, bottom: -top, top } };
     let ground = vec![Primitive::Rectangle(rect, palette.field)];
     pad::axes(ui, &chart, ground, (quantity.symbol, symbol), ("t", "s"));
@@ -65,12 +70,12 @@ pub fn sketch_ui(
             Primitive::Line { points, stroke: Stroke::new(width, color), pattern }
         };
         let model = line(found, palette.text, 1.8, Pattern::Full);
-        let yours = line(&drawn, palette.accent, 2.4, Pattern::Dashed);
+        let yours = line(&drawn, palette.link(), 2.4, Pattern::Dashed);
         paint(&ui.painter_at(rect), vec![model, yours]);
         let name = format!("Your sketch of {} beside the model’s", quantity.name);
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name.as_str()));
         let legend =
-            [(Pattern::Dashed, palette.accent, "your sketch"), (Pattern::Full, palette.text, "the model")];
+            [(Pattern::Dashed, palette.link(), "your sketch"), (Pattern::Full, palette.text, "the model")];
         pad::legend_ui(ui, if drawn.is_empty() { &legend[1..] } else { &legend });
         return;
     }
@@ -118,7 +123,8 @@ pub fn sketch_ui(
         ui.label(RichText::new(told).font(theme::small()).color(palette.weak));
     });
     CollapsingHeader::new(RichText::new("In numbers").font(theme::small())).show(ui, |ui| {
-        ui.horizontal_wrapped(|ui| {
+        let across = ((ui.available_width() / PAIR) as usize).max(1);
+        Grid::new("numbers").spacing((6.0, 4.0)).show(ui, |ui| {
             for knot in 0..KNOTS {
                 let shown = significant(drawing::knot(&drawn, knot) / unit, 3);
                 let name = format!("{} at {} s [{symbol}]", quantity.name, at(knot));
@@ -127,6 +133,9 @@ pub fn sketch_ui(
                 let field = number_field_ui(ui, id, &name, &shown, (44.0, theme::sizes(ui).small), read);
                 if let Some(typed) = field.accepted {
                     drawing::set_knot(&mut drawn, knot, typed * unit);
+                }
+                if (knot + 1) % across == 0 {
+                    ui.end_row();
                 }
             }
         });
@@ -144,15 +153,15 @@ fn paint_sketch(ui: &Ui, chart: &Chart, palette: &Palette, drawn: &[f64], unit: 
         .enumerate()
         .map(|(number, value)| position(number as f64 / (POINTS - 1) as f64, *value))
         .collect();
-    let stroke = Stroke::new(2.2, palette.accent);
+    let stroke = Stroke::new(2.2, palette.link());
     let painter = ui.painter_at(chart.rect.expand(4.0));
     if let (Some(end), false) = (line.last().copied(), drawing::is_whole(drawn)) {
-        painter.circle_filled(end, 4.0, palette.accent);
+        painter.circle_filled(end, 4.0, palette.link());
     }
     paint(&painter, vec![Primitive::Line { points: line, stroke, pattern: Pattern::Full }]);
     if let Some(knot) = knot {
         let at = position(drawing::share(knot), drawing::knot(drawn, knot));
         painter.circle_filled(at, 6.0, palette.pane);
-        painter.circle_stroke(at, 6.0, Stroke::new(2.2, palette.accent));
+        painter.circle_stroke(at, 6.0, Stroke::new(2.2, palette.link()));
     }
 }
