@@ -1,4 +1,18 @@
 //! A lesson beside the scene: one step at a time, which asks before it shows.
+//!
+//! | file | in one line |
+//! |---|---|
+//! | `text` | running text: paragraphs, lists, tables |
+//! | `word` | a word that leads somewhere |
+//! | `formula` | a formula, set |
+//! | `question` | a question, its answer, and what is said of it |
+//! | `choose`, `estimate`, `order` | statements, a number, an order |
+//! | `place`, `sketch` | a pole and a curve, put and drawn on a `pad` |
+//! | `task` | a goal, hints and tries |
+//! | `way` | how near a measure is, as a bar |
+//! | `solution` | a solution played slider by slider |
+//! | `write` | something to write |
+//! | `map`, `sheet` | the steps of the lesson, and the lessons |
 
 mod choose;
 mod estimate;
