@@ -6,6 +6,7 @@ use std::sync::Arc;
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use eigenwing::content::embedded_aircraft;
 use eigenwing::findings::Findings;
+use eigenwing::findings::change::Change;
 use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, MatrixModel};
 use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::edits::EditedModel;
@@ -93,6 +94,16 @@ fn whole(criterion: &mut Criterion) {
         if findings.locus(parameter).evaluations < 100 {
             eprintln!("{key}: only {} points", findings.locus(parameter).evaluations);
         }
+    }
+    // Why the modes have moved, with all that follows from both states known: found once when the hand rests.
+    for (key, value) in [("cm_q", -19.92), ("speed", 60.0), ("cg", 0.3)] {
+        let Some(parameter) = Parameter::find(key) else { continue };
+        let mut moved = scenario.clone();
+        parameter.set(&mut moved, value);
+        let [before, after] = [scenario.clone(), moved].map(Findings::of);
+        criterion.bench_function(&format!("navion/why_{key}"), |bench| {
+            bench.iter(|| Change::between(black_box(&before), black_box(&after)));
+        });
     }
     // A pole under the hand, by the way through coefficients: near, and far beyond what the sliders can do.
     let Some(mode) = findings.modes().first() else { return };

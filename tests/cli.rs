@@ -86,7 +86,7 @@ fn analyse_as_a_table() {
 fn why_says_what_moved_a_mode_and_gives_the_parts_by_key() {
     let said = answer(&["why", "navion", "--set", "cm_q=-19.92"]);
     assert!(said.contains("Moved: C_mq −9.96 → −19.9"), "{said}");
-    assert!(said.contains("Phugoid: ωₙ −13\u{a0}%, T 29.5 → 34.0 s, ζ 0.0801 → 0.101, by M_q."), "{said}");
+    assert!(said.contains("Phugoid: ωₙ −13 %, T 29.5 → 34.0 s, ζ 0.0801 → 0.101, by M_q."), "{said}");
     assert!(said.contains("A new elevator is a new trim"), "{said}");
     let json = answer(&["why", "navion", "--set", "cm_q=-19.92", "--json"]);
     let report: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");

@@ -97,7 +97,7 @@ pub fn why(scenario: &Scenario) -> Result<WhyReport, ExportError> {
         aircraft: scenario.aircraft.key.clone(),
         name: scenario.aircraft.name.clone(),
         planes,
-        new_trim: NewTrim::of(&findings).map(|trim| words::new_trim::sentence(&trim, length)),
+        new_trim: NewTrim::of(&findings).map(|trim| plain(&words::new_trim::sentence(&trim, length))),
     })
 }
 
@@ -134,9 +134,9 @@ fn of_plane(scenario: &Scenario, plane: Plane) -> Option<WhyPlane> {
     })
 }
 
-/// Symbols without the braces that the page sets them by.
+/// Symbols without the braces that the page sets them by, and every space a plain one.
 fn plain(text: &str) -> String {
-    text.replace(['{', '}'], "")
+    text.replace(['{', '}'], "").replace('\u{a0}', " ")
 }
 
 impl MovedReport {

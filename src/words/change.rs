@@ -50,7 +50,7 @@ pub fn reasons(change: &Change, mode: &ModeChange, length: LengthUnit) -> Option
             Vec::new(),
         ),
         Kind::Root(shift) => {
-            let headline = format!("λ {} 1/s{}.", arrow(shift), by(&[shift]));
+            let headline = format!("λ\u{a0}{}\u{a0}1/s{}.", arrow(shift), by(&[shift]));
             (headline, vec![chain(change, &[("λ", shift)], length), root_formula(shift)])
         }
         Kind::Oscillation(oscillation) => {
@@ -67,15 +67,15 @@ fn oscillation_headline(mode: &ModeChange, oscillation: &Oscillation) -> String 
     let Oscillation { oscillates, frequency, damping_ratio, period, .. } = oscillation;
     let mut told = Vec::new();
     if frequency.is_notable {
-        told.push(format!("ωₙ {}", signed_percent(frequency.relative())));
+        told.push(format!("ωₙ\u{a0}{}", signed_percent(frequency.relative())));
     }
     if let Some([from, to]) = period
         && (to / from - 1.0).abs() > 0.01
     {
-        told.push(format!("T {} s", arrow_of(*from, *to)));
+        told.push(format!("T\u{a0}{}\u{a0}s", arrow_of(*from, *to)));
     }
     if damping_ratio.is_notable {
-        told.push(format!("ζ {}", arrow(damping_ratio)));
+        told.push(format!("ζ\u{a0}{}", arrow(damping_ratio)));
     }
     let shifts: Vec<&Shift> =
         [frequency, damping_ratio].into_iter().filter(|shift| shift.is_notable).collect();
@@ -381,7 +381,9 @@ fn bracket(terms: &[f64; 2]) -> String {
 
 /// "a → b", or once what is the same.
 fn between(from: &str, to: &str, unit: &str) -> String {
-    if from == to { format!("{from}{unit} as before") } else { format!("{from} → {to}{unit}") }
+    // Two numbers stand in one line, two sums may be too long for one.
+    let space = if from.contains(' ') { " " } else { "\u{a0}" };
+    if from == to { format!("{from}{unit} as before") } else { format!("{from}{space}→{space}{to}{unit}") }
 }
 
 fn arrow(shift: &Shift) -> String {
@@ -391,7 +393,8 @@ fn arrow(shift: &Shift) -> String {
 /// "0.080 → 0.186", with as many digits as it takes to see the change.
 fn arrow_of(from: f64, to: f64) -> String {
     let digits = digits(from, to);
-    format!("{} → {}", significant(from, digits), significant(to, digits))
+    // In one line: it may break before and after.
+    format!("{}\u{a0}→\u{a0}{}", significant(from, digits), significant(to, digits))
 }
 
 fn digits(from: f64, to: f64) -> usize {
@@ -407,7 +410,7 @@ fn range(moved: &Moved, length: LengthUnit) -> String {
             let unit = parameter.dimension.symbol(length);
             let [from, to] = [from, to].map(|x| significant(x / parameter.dimension.in_si(length), digits));
             let space = if unit.is_empty() { "" } else { "\u{a0}" };
-            format!("{from} → {to}{space}{unit}")
+            format!("{from}\u{a0}→\u{a0}{to}{space}{unit}")
         }
         None => arrow_of(from, to),
     }

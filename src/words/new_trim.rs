@@ -28,8 +28,8 @@ pub fn sentence(trim: &NewTrim, length: LengthUnit) -> String {
     }
     let what = if *source == Source::Throttle { "thrust" } else { "elevator" };
     format!(
-        "A new {what} is a new trim: the pitching moments balance again at Δα = {alpha} ({} 1/s²), and there the lift carries the weight \
-         only at another speed, Δu = {speed} ({} m/s²).",
+        "A new {what} is a new trim: the pitching moments balance again at Δα = {alpha} ({}\u{a0}1/s²), and there the lift carries the weight \
+         only at another speed, Δu = {speed} ({}\u{a0}m/s²).",
         balance(moment, ["M_u u", "M_w w", "weight", &format!("M_{control} {control}")]),
         balance(lift, ["Z_u u", "Z_w w", "weight", &format!("Z_{control} {control}")]),
     )
