@@ -275,7 +275,7 @@ impl Reader<'_> {
 
     /// Reads a formula that begins at an offset of the text.
     fn formula(&self, written: &str, offset: usize) -> Result<Formula, ContentError> {
-        formula_file::read(written).map_err(|(at, problem)| {
+        formula_file::read(written.trim_end()).map_err(|(at, problem)| {
             let before = written.get(..at).unwrap_or_default().matches('\n').count();
             let error = self.error(offset.min(self.markdown.len()), format!("formula: {problem}"));
             ContentError { line: error.line + before, ..error }
