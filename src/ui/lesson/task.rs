@@ -10,7 +10,7 @@ use super::text::{Context, text_ui};
 use super::way::way_ui;
 use crate::findings::Findings;
 use crate::findings::measures::{Measure, Reading};
-use crate::lesson::{Condition, Given, Move, Progress, SolutionAfter, Task, Wanted, moves, progress};
+use crate::lesson::{Condition, Given, Move, Progress, SolutionAfter, Task, moves, progress, said};
 use crate::scenario::Hidden;
 use crate::ui::curtain::Curtain;
 use crate::ui::theme::{self, Palette};
@@ -147,16 +147,7 @@ fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context
         Ok(reading) => words::measure::reading(measure, *reading, length),
         Err(absence) => words::measure::absence(absence),
     };
-    let number = |value: f64| words::measure::number(measure.dimension(), value, length);
-    let wanted = match (&condition.wanted, progress.wanted) {
-        (Wanted::Stability(stability), _) => words::measure::word(*stability).to_owned(),
-        (Wanted::Level(level), _) => format!("{} or better", words::verdict::level(*level)),
-        (Wanted::Absent, _) => "none".to_owned(),
-        (_, Some((low, high))) if high == f64::INFINITY => format!("at least {}", number(low)),
-        (_, Some((low, high))) if low == f64::NEG_INFINITY => format!("at most {}", number(high)),
-        (_, Some((low, high))) => format!("{} to {}", number(low), number(high)),
-        (_, None) => "–".to_owned(),
-    };
+    let wanted = said::wanted(measure, &condition.wanted, progress, length);
     let mark = if progress.met { "✓" } else { "○" };
     let color = if progress.met { palette.good } else { palette.text };
     // Of a number that is hidden only whether it is what is wanted.
