@@ -29,7 +29,7 @@ const NODES: [(f64, f64); 4] = [
 ];
 
 /// The way is cut into one, two and at most so many pieces: more are of use only next to where roots of two modes meet.
-const MOST_PIECES: usize = 8;
+const MOST_PIECES: usize = 4;
 
 /// Parts that miss the change by more than this fraction of it are none.
 const MISSED: f64 = 1e-3;
@@ -56,17 +56,20 @@ pub(super) fn parts_along(from: &Scenario, to: &Scenario, subjects: &[Subject]) 
     let changes: Vec<Option<[Numbers; 2]>> =
         subjects.iter().map(|subject| Some([subject.numbers(&before)?, subject.numbers(&after)?])).collect();
     let mut found = nothing();
+    let mut open: Vec<usize> = (0..subjects.len()).filter(|&k| changes[k].is_some()).collect();
     let mut pieces = 1;
-    while pieces <= MOST_PIECES {
-        let sums = path.integrate(subjects, pieces);
-        for ((found, change), sum) in found.iter_mut().zip(&changes).zip(sums) {
-            if let (None, Some(change), Some(sum)) = (&found, change, sum) {
-                *found = path.proved(&sum, *change);
+    while pieces <= MOST_PIECES && !open.is_empty() {
+        let asked: Vec<Subject> = open.iter().map(|&k| subjects[k]).collect();
+        let sums = path.integrate(&asked, pieces);
+        let mut left = Vec::new();
+        for (k, sum) in open.into_iter().zip(sums) {
+            // Where it is no such mode on the way, smaller pieces are of no use.
+            if let (Some(change), Some(sum)) = (changes[k], sum) {
+                found[k] = path.proved(&sum, change);
+                left.extend(found[k].is_none().then_some(k));
             }
         }
-        if found.iter().all(Option::is_some) {
-            break;
-        }
+        open = left;
         pieces *= 2;
     }
     found
@@ -197,6 +200,9 @@ impl Path {
             let s = width * (piece as f64 + 0.5 + 0.5 * x);
             let here = self.at(s).and_then(|here| Some((modes_of(&here, self.plane)?, here)));
             let Some((modes, here)) = here else { return vec![None; subjects.len()] };
+            if sums.iter().all(Option::is_none) {
+                break;
+            }
             for (k, mover) in self.movers.iter().enumerate() {
                 let rate = mover.a_rate(&here, self.plane);
                 for (subject, sum) in subjects.iter().zip(&mut sums) {
