@@ -278,7 +278,7 @@ fn a_word_of_the_glossary_opens_its_sentence_by_keyboard_and_a_source_its_refere
 #[test]
 fn formulas_are_told_in_words_and_text_can_be_selected_and_copied() {
     let mut harness = words(WIDE);
-    harness.get_by_label("q dot equals M sub q times q");
+    harness.get_by_label(": q dot equals M sub q times q.");
     harness.get_by_label("zeta equals the fraction a over 2 times omega sub 0, end of fraction,");
     let text = rect(&harness, " is damped, ");
     let (from, to) = (text.left_center() + Vec2::new(1.0, 0.0), text.right_center() - Vec2::new(1.0, 0.0));

@@ -246,7 +246,11 @@ impl<'t> Reader<'t> {
         if !self.eat("}") {
             return self.fail("expected }");
         }
-        Ok(row)
+        Ok(match row {
+            // Braces around one piece are that piece.
+            Formula::Row(mut pieces) if pieces.len() == 1 => pieces.remove(0),
+            row => row,
+        })
     }
 
     /// Plain text in braces.

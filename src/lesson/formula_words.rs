@@ -67,7 +67,7 @@ fn row(pieces: &[Formula], multiplies: bool) -> String {
     let mut words = String::new();
     let mut before: Option<&Formula> = None;
     for piece in pieces.iter().filter(|piece| !matches!(piece, Formula::Space(_))) {
-        if multiplies && before.is_some_and(|before| ends_a_factor(before)) && begins_a_factor(piece) {
+        if multiplies && before.is_some_and(ends_a_factor) && begins_a_factor(piece) {
             words.push_str(" times");
         }
         words.push(' ');

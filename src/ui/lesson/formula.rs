@@ -10,7 +10,6 @@ use egui::{
 use crate::lesson::formula::{Accent, Formula};
 use crate::ui::chart::{Pattern, Primitive, paint};
 use crate::ui::fonts;
-use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
 
 // In sizes of the type.
@@ -68,14 +67,9 @@ struct Setter<'u> {
     color: Color32,
 }
 
-/// Draws a formula within a line of text; one that fits a line as text, which can be selected and parts at the end of the line.
+/// Draws a formula within a line of text that text alone can't set.
 pub fn inline_ui(ui: &mut Ui, formula: &Formula) {
     let (body, color) = (theme::body().size, Palette::of(ui).text);
-    if formula.is_flat() {
-        let response = ui.label(Symbol::parse(&formula.line()).job(LARGER * body, color));
-        tell(&response, formula);
-        return;
-    }
     let size = LARGER * body;
     let set = Setter { ui, color }.set(formula, size);
     let half = (set.ascent - BASELINE * body).max(set.descent + BASELINE * body);

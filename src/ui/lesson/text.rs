@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use egui::{FontId, Grid, RichText, TextStyle, Ui};
+use egui::accesskit::Role;
+use egui::text::LayoutJob;
+use egui::{FontId, Grid, RichText, TextStyle, Ui, WidgetInfo};
 
 use super::Wish;
 use super::formula::{display_ui, inline_ui};
@@ -65,9 +67,7 @@ fn block_ui(ui: &mut Ui, block: &TextBlock, number: usize, context: Context<'_>)
             ui.label(bullet);
         }
         let is_strong = matches!(block, TextBlock::Heading(_));
-        for span in block.spans() {
-            wish = span_ui(ui, span, is_strong, context).or(wish.take());
-        }
+        wish = spans_ui(ui, &block.spans(), is_strong, context);
     });
     wish
 }
@@ -81,9 +81,8 @@ fn table_ui(ui: &mut Ui, rows: &[Vec<Vec<Span>>], number: usize, context: Contex
             for cell in cells {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 0.0;
-                    for span in cell {
-                        wish = span_ui(ui, span, row == 0, context).or(wish.take());
-                    }
+                    let spans: Vec<&Span> = cell.iter().collect();
+                    wish = spans_ui(ui, &spans, row == 0, context).or(wish.take());
                 });
             }
             ui.end_row();
@@ -92,38 +91,79 @@ fn table_ui(ui: &mut Ui, rows: &[Vec<Vec<Span>>], number: usize, context: Contex
     wish
 }
 
-fn span_ui(ui: &mut Ui, span: &Span, is_strong: bool, context: Context<'_>) -> Option<Wish> {
+/// Text that is being put together into one label, so that all of it stands on one baseline.
+#[derive(Default)]
+struct Line {
+    job: LayoutJob,
+    /// The same for a screen reader, which hears formulas in words.
+    told: String,
+    has_formula: bool,
+}
+
+impl Line {
+    fn flush(&mut self, ui: &mut Ui) {
+        let line = std::mem::take(self);
+        if line.job.is_empty() {
+            return;
+        }
+        let response = ui.label(line.job);
+        if line.has_formula {
+            response.widget_info(|| WidgetInfo::labeled(Role::Label, true, line.told.as_str()));
+        }
+    }
+}
+
+fn spans_ui(ui: &mut Ui, spans: &[&Span], is_strong: bool, context: Context<'_>) -> Option<Wish> {
     let palette = Palette::of(ui);
-    let font: FontId =
-        if is_strong || span.strong { theme::semibold(theme::body().size) } else { theme::body() };
-    let words = match &span.what {
-        What::Words(words) | What::Symbol(words) => words.clone(),
-        What::Number(number) => match number.value(context.start, context.aircraft) {
-            Some(Ok(value)) => value,
-            Some(Err(absence)) => format!("({})", words::measure::absence(&absence)),
-            None => String::new(),
-        },
-        What::Formula(formula) => {
-            inline_ui(ui, formula);
-            return None;
+    let mut wish = None;
+    let mut line = Line::default();
+    for span in spans {
+        let font: FontId =
+            if is_strong || span.strong { theme::semibold(theme::body().size) } else { theme::body() };
+        let words = match &span.what {
+            What::Words(words) | What::Symbol(words) => words.clone(),
+            What::Number(number) => match number.value(context.start, context.aircraft) {
+                Some(Ok(value)) => value,
+                Some(Err(absence)) => format!("({})", words::measure::absence(&absence)),
+                None => String::new(),
+            },
+            What::Formula(formula) if formula.is_flat() => formula.line(),
+            What::Formula(formula) => {
+                line.flush(ui);
+                inline_ui(ui, formula);
+                continue;
+            }
+            What::Break => {
+                line.flush(ui);
+                ui.end_row();
+                continue;
+            }
+        };
+        if let Some(target) = &span.target {
+            line.flush(ui);
+            let text = RichText::new(&words).font(font);
+            wish = word_ui(ui, &words, text, target, context).or(wish);
+            continue;
         }
-        What::Break => {
-            ui.end_row();
-            return None;
+        match &span.what {
+            What::Formula(formula) => {
+                line.told.push_str(&formula.in_words());
+                line.has_formula = true;
+            }
+            _ => line.told.push_str(&words),
         }
-    };
-    if let Some(target) = &span.target {
-        return word_ui(ui, &words, RichText::new(&words).font(font), target, context);
+        if matches!(span.what, What::Symbol(_) | What::Formula(_)) {
+            // Letters of the maths face are smaller than those of the text.
+            Symbol::parse(&words).append_to(&mut line.job, 1.15 * font.size, palette.text);
+            continue;
+        }
+        let mut part = prose(&words, font, palette.text);
+        for section in &mut part.sections {
+            section.format.italics |= span.emphasis;
+            let (from, to) = (section.byte_range.start.0, section.byte_range.end.0);
+            line.job.append(&part.text[from..to], section.leading_space, section.format.clone());
+        }
     }
-    if let What::Symbol(symbol) = &span.what {
-        // Letters of the maths face are smaller than those of the text.
-        ui.label(Symbol::parse(symbol).job(1.15 * font.size, palette.text));
-        return None;
-    }
-    let mut job = prose(&words, font, palette.text);
-    if span.emphasis {
-        job.sections.iter_mut().for_each(|section| section.format.italics = true);
-    }
-    ui.label(job);
-    None
+    line.flush(ui);
+    wish
 }
