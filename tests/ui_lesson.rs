@@ -139,12 +139,36 @@ fn a_task_offers_its_own_sliders() {
         let next = harness.query_by_label("Next →").is_some();
         click(&mut harness, if next { "Next →" } else { "Skip →" });
         harness.get_by_label(&at_step(step + 1));
-        if count(&harness, "Move the centre of gravity until") > 0 {
+        if count(&harness, "The centre of gravity moves aft, step by step.") > 0 {
+            click(&mut harness, "I don’t know");
+            assert_eq!(count(&harness, "Move the centre of gravity until"), 1);
             harness.get_by_role_and_label(Role::Slider, "shift of the centre of gravity Δx_cg/c");
             offers += 1;
         }
     }
     assert_eq!(offers, 1);
+}
+
+/// A goal tells what can be done, and sliders let it be tried: both would answer the question above them.
+#[test]
+fn a_task_below_a_question_waits_for_the_answer_with_its_sliders() {
+    for size in [WIDE, Vec2::new(1000.0, 800.0), PHONE] {
+        let mut harness = page(size);
+        open(&mut harness, "#v=1&lesson=longitudinal&step=7");
+        harness.get_by_label("Heavy at the back");
+        let cg = "shift of the centre of gravity Δx_cg/c";
+        let sliders = |harness: &Page| harness.query_all_by_role_and_label(Role::Slider, cg).count();
+        let tabs = |harness: &Page| harness.query_all_by_role_and_label(Role::Button, "Derivatives").count();
+        assert_eq!(count(&harness, "Move the centre of gravity until"), 0, "{size}");
+        assert_eq!((sliders(&harness), tabs(&harness)), (0, 0), "{size}");
+        click(&mut harness, "It swings faster.");
+        click(&mut harness, "Answer");
+        assert_eq!(count(&harness, "Move the centre of gravity until"), 1, "{size}");
+        if size == PHONE {
+            click(&mut harness, "Derivatives");
+        }
+        assert_eq!(sliders(&harness), 1, "{size}");
+    }
 }
 
 /// A file as a browser drops it on the page.

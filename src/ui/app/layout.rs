@@ -178,7 +178,8 @@ impl App {
         let enlarged = self.view.maximised == Some(Pane::Equations);
         let of_lesson = self.has_lesson().then_some((PhonePane::Lesson, "Lesson"));
         let staged = panes.iter().filter(|(pane, part, _)| {
-            self.view.stage.has(*part) || *pane == PhonePane::Equations && enlarged
+            let is_on = *pane != PhonePane::Derivatives || self.has_sliders();
+            self.view.stage.has(*part) && is_on || *pane == PhonePane::Equations && enlarged
         });
         let staged: Vec<(PhonePane, &str)> =
             of_lesson.into_iter().chain(staged.map(|&(pane, _, text)| (pane, text))).collect();

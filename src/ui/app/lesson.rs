@@ -4,8 +4,8 @@ use egui::{Button, RichText, ScrollArea, Ui};
 
 use super::App;
 use super::course::{CourseState, FileRequest, LessonPane};
-use crate::scenario::Stage;
 use crate::scenario::link::LessonPlace;
+use crate::scenario::{Part, Stage};
 use crate::ui::finger;
 use crate::ui::lesson::{Chosen, Offer, Session, Wish, lesson_ui, lessons_sheet_ui, references_sheet_ui};
 use crate::ui::theme::{self, Palette};
@@ -67,6 +67,11 @@ impl App {
             LessonPane::Open(session) => Some(session),
             _ => None,
         }
+    }
+
+    /// Whether the sliders are on the page: where a task waits for a question, they come with it.
+    pub(super) fn has_sliders(&self) -> bool {
+        self.view.stage.has(Part::Derivatives) && !self.session().is_some_and(Session::holds_task_back)
     }
 
     /// The pane of the lesson.

@@ -30,7 +30,7 @@ use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::modes::mode_name::ModeName;
 use crate::lesson::Records;
 use crate::scenario::link::{self, Notice};
-use crate::scenario::{Choice, Hidden, Part, Scenario, Source, View};
+use crate::scenario::{Choice, Hidden, Scenario, Source, View};
 use crate::ui::curtain::Curtain;
 use crate::ui::equations::EquationsPane;
 use crate::ui::flight_pane::FlightPane;
@@ -271,7 +271,7 @@ impl App {
         self.greeting_ui(ui);
         self.refresh();
         self.hang_curtain(ui);
-        if !phone && self.view.stage.has(Part::Derivatives) {
+        if !phone && self.has_sliders() {
             self.sliders_ui(ui, wide);
             self.hold_locked();
             // Everything else is drawn as the sliders are now.

@@ -8,7 +8,7 @@ use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
 use crate::scenario::view::{Marks, Pane};
-use crate::scenario::{Hidden, Lock, Page, Parameter, Part, Source, View, parameters};
+use crate::scenario::{Hidden, Lock, Page, Parameter, Source, View, parameters};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::{Chosen, Rows, derivatives_ui};
 use crate::ui::equations::{Size, Wish};
@@ -60,7 +60,7 @@ impl App {
     /// The equations alone.
     pub(super) fn equations_ui(&mut self, ui: &mut Ui) {
         let findings = self.shown_ui(ui);
-        let leads = self.view.stage.has(Part::Derivatives);
+        let leads = self.has_sliders();
         let view = &mut self.view.equations;
         let wish = self.panes.equations.show(ui, &findings, view, (Size::Alone, leads));
         if !leads {

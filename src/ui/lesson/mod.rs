@@ -179,6 +179,16 @@ impl Session {
             })
     }
 
+    /// Whether a task of the step waits: its goal would often answer the question that stands before it, and so would its sliders.
+    pub fn holds_task_back(&self) -> bool {
+        let parts = self.current().into_iter().flat_map(|step| step.parts.iter().enumerate());
+        let mut from_question = parts.skip_while(|(part, is)| {
+            let place = Place { step: self.step, part: *part };
+            !matches!(is, Part::Prediction(_)) || self.given.get(place).is_some_and(|given| given.is_final)
+        });
+        from_question.any(|(_, part)| matches!(part, Part::Task(_)))
+    }
+
     fn current(&self) -> Option<&Step> {
         self.lesson.steps.get(self.step)
     }
@@ -243,12 +253,12 @@ pub fn lesson_ui(
                 let frame = Frame::new().fill(palette.stable_half).corner_radius(8).inner_margin(8);
                 wish = frame.show(ui, |ui| text_ui(ui, text, context)).inner.or(wish);
             }
-            Part::Reveal(_) => {}
-            Part::Task(task) => {
+            Part::Task(task) if is_open => {
                 let (given, tried) = (session.given.at(at), session.tried.entry(at).or_default());
                 let asked = ui.push_id(at, |ui| task_ui(ui, task, given, tried, now, context)).inner;
                 wish = asked.or(wish);
             }
+            Part::Reveal(_) | Part::Task(_) => {}
             Part::Write(writing) => {
                 let given = session.given.at(at);
                 ui.push_id(at, |ui| write_ui(ui, writing, given, context));
