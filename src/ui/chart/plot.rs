@@ -80,9 +80,13 @@ impl PlotContent {
         }
     }
 
-    /// The same with its axes alone: as they are with the curves that aren't drawn.
+    /// The same with its axes alone: they hold the curves that aren't drawn, and don't tell on which side of zero those are.
     pub fn without_curves(mut self) -> Self {
-        self.ranges();
+        let (_, y) = self.ranges();
+        if self.with_zero {
+            let most = y.start().abs().max(y.end().abs());
+            self.y_range = Some(-most..=most);
+        }
         let (curves, uprights, dots) = Default::default();
         Self { curves, uprights, dots, beyond: None, is_silent: true, ..self }
     }
@@ -360,7 +364,15 @@ fn quantities(ui: &Ui, rect: Rect, picture: &PlotContent) {
 
 #[cfg(test)]
 mod tests {
-    use super::with_faded;
+    use super::{PlotContent, with_faded};
+
+    #[test]
+    fn axes_without_their_curves_do_not_tell_on_which_side_of_zero_these_are() {
+        let plot = PlotContent { y_range: Some(-4.0..=1.0), ..PlotContent::of_time("α", "deg", Vec::new()) };
+        assert_eq!(plot.clone().without_curves().y_range, Some(-4.0..=4.0));
+        let anywhere = PlotContent { with_zero: false, ..plot };
+        assert_eq!(anywhere.without_curves().y_range, Some(-4.0..=1.0));
+    }
 
     #[test]
     fn a_faded_curve_is_shown_whole_unless_it_grows_without_bound() {
