@@ -88,6 +88,7 @@ fn why_says_what_moved_a_mode_and_gives_the_parts_by_key() {
     assert!(said.contains("Moved: C_mq −9.96 → −19.9"), "{said}");
     assert!(said.contains("Phugoid: ωₙ −13 %, T 29.5 → 34.0 s, ζ 0.0801 → 0.101, by M_q."), "{said}");
     assert!(said.contains("A new elevator is a new trim"), "{said}");
+    assert_eq!(said.matches("Moved").count(), 1, "nothing of the other plane has moved: {said}");
     let json = answer(&["why", "navion", "--set", "cm_q=-19.92", "--json"]);
     let report: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
     let phugoid = &report["planes"][0]["modes"][1];

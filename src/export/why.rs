@@ -104,7 +104,7 @@ pub fn why(scenario: &Scenario) -> Result<WhyReport, ExportError> {
 fn of_plane(scenario: &Scenario, plane: Plane) -> Option<WhyPlane> {
     let in_plane = |scenario: Scenario| Findings::of(Scenario { plane, ..scenario });
     let (before, after) = (in_plane(reference_of(scenario)), in_plane(scenario.clone()));
-    let change = Change::between(&before, &after)?;
+    let change = Change::between(&before, &after).filter(|change| !change.edits.is_empty())?;
     let length = scenario.aircraft.length_unit;
     let modes = change.modes.iter().filter_map(|mode| {
         let reasons = words::change::reasons(&change, mode, length)?;
