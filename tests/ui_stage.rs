@@ -383,6 +383,16 @@ fn a_pole_is_dragged_by_what_is_free() {
     assert_eq!(value(&harness, "cm_alpha"), Parameter::find("cm_alpha").expect("a row").get(&before));
 }
 
+/// Pitch damping moves nothing of lateral motion.
+#[test]
+fn where_no_slider_of_a_page_is_offered_it_says_so() {
+    let mut harness = page(WIDE);
+    open(&mut harness, "v=1&ac=navion&plane=lat&offer=cm_q");
+    let told = told(&harness);
+    assert!(told.iter().any(|text| text == words::sliders::NOT_OFFERED));
+    assert!(!told.iter().any(|text| text.contains("can't be analysed")));
+}
+
 #[test]
 fn type_is_as_large_as_the_link_says_and_goes_back_with_another_scene() {
     let mut harness = page(WIDE);

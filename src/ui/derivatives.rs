@@ -125,7 +125,8 @@ pub fn derivatives_ui(
             touched = groups_ui(ui, scenario, (*page, filter), rows, findings, asked);
         } else if parameters().any(|p| p.is_shown(scenario, *page)) || !listed(last.scenario()) {
             let text = if search.trim().is_empty() {
-                words::sliders::NONE.to_owned()
+                let has_any = parameters().any(|p| p.is_shown(scenario, *page));
+                if has_any { words::sliders::NOT_OFFERED } else { words::sliders::NONE }.to_owned()
             } else {
                 let elsewhere = elsewhere(scenario, *page, filter);
                 let equations = slider_search::equations(search).map(str::to_owned);

@@ -36,6 +36,9 @@ pub const fn group(group: Group) -> &'static str {
 /// What stands in place of the sliders where a page has none.
 pub const NONE: &str = "No slider of this page, since this can't be analysed.";
 
+/// The same where none of its sliders is offered.
+pub const NOT_OFFERED: &str = "No slider of this page is offered here.";
+
 /// The same where a search has left none.
 pub fn no_match(search: &str) -> String {
     format!("No slider of this page matches “{search}”.")
