@@ -129,6 +129,34 @@ fn a_task_tells_how_near_it_is_and_shows_a_solution_last() {
     assert!(Parameter::find("cm_alpha").is_some());
 }
 
+#[test]
+fn a_question_with_several_right_answers_says_so_until_it_is_answered() {
+    for size in [WIDE, PHONE] {
+        let mut harness = page(size);
+        open(&mut harness, "#v=1&lesson=frames");
+        assert_eq!(count(&harness, "More than one may be right."), 1);
+        click(&mut harness, "I don’t know");
+        assert_eq!(count(&harness, "More than one may be right."), 0);
+        // The next question has one answer.
+        click(&mut harness, "Next →");
+        assert_eq!(count(&harness, "More than one may be right."), 0);
+    }
+}
+
+#[test]
+fn no_line_begins_with_a_comma_or_a_stop() {
+    for place in ["forces&step=1", "frames&step=6"] {
+        let mut harness = page(PHONE);
+        open(&mut harness, &format!("#v=1&lesson={place}"));
+        click(&mut harness, "I don’t know");
+        for node in harness.query_all_by_role(Role::Label) {
+            let text = node.accesskit_node().value().unwrap_or_default();
+            let begins = node.rect().left();
+            assert!(!text.starts_with([',', '.']) || begins > 40.0, "{place}: “{text}” at {begins}");
+        }
+    }
+}
+
 /// Each task has the sliders that it offers, whatever the step before it had.
 #[test]
 fn a_task_offers_its_own_sliders() {

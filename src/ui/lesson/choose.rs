@@ -1,6 +1,6 @@
 //! A question with statements to choose from.
 
-use egui::{Button, Ui};
+use egui::{Button, RichText, Ui};
 
 use crate::lesson::{Answer, Choice, Given};
 use crate::ui::symbol::prose;
@@ -13,6 +13,10 @@ pub fn choose_ui(ui: &mut Ui, choices: &[Choice], several: bool, given: &mut Giv
         Some(Answer::Chosen(chosen)) => chosen.clone(),
         _ => Vec::new(),
     };
+    if several && !given.is_final {
+        let hint = RichText::new("More than one may be right.");
+        ui.label(hint.font(theme::small()).color(palette.weak));
+    }
     let mut changed = false;
     for (number, choice) in choices.iter().enumerate() {
         let mark = match (given.is_final, choice.right) {

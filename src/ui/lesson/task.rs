@@ -13,6 +13,7 @@ use crate::findings::measures::{Measure, Reading};
 use crate::lesson::{Condition, Given, Move, Progress, SolutionAfter, Task, moves, progress, said};
 use crate::scenario::Hidden;
 use crate::ui::curtain::Curtain;
+use crate::ui::symbol::prose;
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -162,15 +163,15 @@ fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context
         format!("{mark} {}: wanted {wanted}", words::measure::name(measure))
     } else {
         let name = words::measure::name(measure);
-        match &progress.start {
-            Ok(start) => {
-                let start = words::measure::reading(measure, *start, length);
+        let start = progress.start.as_ref().map(|start| words::measure::reading(measure, *start, length));
+        match &start {
+            Ok(start) if *start != now => {
                 format!("{mark} {name}: {now}, at the start {start}, wanted {wanted}")
             }
-            Err(_) => format!("{mark} {name}: {now}, wanted {wanted}"),
+            _ => format!("{mark} {name}: {now}, wanted {wanted}"),
         }
     };
-    ui.label(RichText::new(text).font(theme::small()).color(color));
+    ui.label(prose(&text, theme::small(), color));
     let numbers = (&progress.start, &progress.now, progress.wanted);
     if let (Ok(Reading::Number(start)), Ok(Reading::Number(now)), Some(wanted)) = numbers
         && !is_hidden

@@ -1,10 +1,11 @@
 //! Running text of a lesson: its words, symbols and measured numbers, and where they lead.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
-use egui::{FontId, Grid, RichText, TextStyle, Ui, WidgetInfo};
+use egui::{FontId, Grid, RichText, Sense, TextStyle, Ui, Vec2, WidgetInfo};
 
 use super::Wish;
 use super::formula::{display_ui, inline_ui};
@@ -61,7 +62,7 @@ fn block_ui(ui: &mut Ui, block: &TextBlock, number: usize, context: Context<'_>)
     };
     let mut wish = None;
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = egui::Vec2::new(0.0, 3.0);
+        ui.spacing_mut().item_spacing = Vec2::new(0.0, 3.0);
         ui.add_space(12.0 * depth as f32);
         if !bullet.is_empty() {
             ui.label(bullet);
@@ -100,9 +101,35 @@ struct Line {
     has_formula: bool,
 }
 
+/// What ends a clause, and belongs to the word before it.
+const ENDS: [char; 7] = ['.', ',', ';', ':', '?', '!', ')'];
+
 impl Line {
+    /// Draws it where the line has come to, behind a word that leads somewhere or a formula.
     fn flush(&mut self, ui: &mut Ui) {
-        let line = std::mem::take(self);
+        let mut line = std::mem::take(self);
+        if line.job.is_empty() {
+            return;
+        }
+        let text = &line.job.text;
+        let room = ui.available_size_before_wrap().x;
+        let begins = ui.cursor().left() <= ui.max_rect().left();
+        let width = |ui: &Ui, end: usize| ui.painter().layout_job(part(&line.job, 0..end)).size().x;
+        let marks = text.find(|c| !ENDS.contains(&c)).unwrap_or(text.len());
+        if !begins && marks > 0 && width(ui, marks) > room {
+            // The end of a clause stays behind its word, in the margin.
+            let galley = ui.painter().layout_job(part(&line.job, 0..marks));
+            let (place, _) = ui.allocate_exact_size(Vec2::new(0.0, galley.size().y), Sense::hover());
+            ui.painter().galley(place.left_top(), galley, Palette::of(ui).text);
+            line.job = part(&line.job, marks..text.len());
+        } else if let Some(words) = text.strip_prefix(' ') {
+            let word = words.find(' ').unwrap_or(words.len());
+            if !begins && width(ui, 1 + word) > room {
+                // The space before a word that has no room any more would stand at the head of the next line.
+                ui.end_row();
+                line.job = part(&line.job, 1..text.len());
+            }
+        }
         if line.job.is_empty() {
             return;
         }
@@ -111,6 +138,19 @@ impl Line {
             response.widget_info(|| WidgetInfo::labeled(Role::Label, true, line.told.as_str()));
         }
     }
+}
+
+/// A part of a text, set as it was.
+fn part(job: &LayoutJob, bytes: Range<usize>) -> LayoutJob {
+    let mut part = LayoutJob::default();
+    for section in &job.sections {
+        let (start, end) = (section.byte_range.start.0, section.byte_range.end.0);
+        let (start, end) = (start.max(bytes.start), end.min(bytes.end));
+        if start < end {
+            part.append(&job.text[start..end], section.leading_space, section.format.clone());
+        }
+    }
+    part
 }
 
 fn spans_ui(ui: &mut Ui, spans: &[&Span], is_strong: bool, context: Context<'_>) -> Option<Wish> {
