@@ -126,7 +126,6 @@ impl Line {
             let word = words.find(' ').unwrap_or(words.len());
             if !begins && width(ui, 1 + word) > room {
                 // The space before a word that has no room any more would stand at the head of the next line.
-                ui.end_row();
                 line.job = part(&line.job, 1..text.len());
             }
         }
