@@ -76,7 +76,7 @@ pub fn wanted(of: Measure, wanted: &Wanted, progress: &Progress, length: LengthU
     match (wanted, progress.wanted) {
         (Wanted::Stability(stability), _) => measure::word(*stability).to_owned(),
         (Wanted::Level(level), _) => format!("{} or better", verdict::level(*level)),
-        (Wanted::Absent, _) => "none".to_owned(),
+        (Wanted::Absent, _) => "that there is none".to_owned(),
         (_, Some((low, high))) if high == f64::INFINITY => format!("at least {}", number(low)),
         (_, Some((low, high))) if low == f64::NEG_INFINITY => format!("at most {}", number(high)),
         (_, Some((low, high))) => format!("{} to {}", number(low), number(high)),
