@@ -45,7 +45,8 @@ fn every_chapter_is_done_with_the_keyboard_alone() {
         let mut steps = 0;
         loop {
             steps += 1;
-            let unanswered = |page: &Page| page.query_all_by_role_and_label(Role::Button, "I don’t know").count();
+            let unanswered =
+                |page: &Page| page.query_all_by_role_and_label(Role::Button, "I don’t know").count();
             for left in (0..unanswered(&page)).rev() {
                 press(&mut page, "I don’t know");
                 assert_eq!(unanswered(&page), left, "{chapter}, step {steps}");

@@ -287,7 +287,7 @@ fn tell(ui: &Ui, matrices: &Matrices<'_>, (row, column): Place, response: Respon
     if let Some(symbol) = writing.symbol(row, column) {
         sentence.push_str(&format!(": {}", Symbol::parse(&symbol).plain()));
     }
-    sentence.push_str(&format!(" = {number} {unit}").trim_end());
+    sentence.push_str(format!(" = {number} {unit}").trim_end());
     if let Some((index, _, name)) = mode
         && let Some(strength) = equations.strength(*index, row, column).filter(|_| column < STATES)
     {

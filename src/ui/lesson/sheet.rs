@@ -67,7 +67,8 @@ pub fn lessons_sheet_ui(
         ui.add_space(8.0);
         if has_files && !records.lessons.is_empty() {
             ui.horizontal_wrapped(|ui| {
-                let name = TextEdit::singleline(&mut records.person).hint_text("Your name").desired_width(150.0);
+                let name =
+                    TextEdit::singleline(&mut records.person).hint_text("Your name").desired_width(150.0);
                 ui.add(name).accessible_name("Your name, for the report");
                 if ui.button("Save my report").on_hover_text(REPORT).clicked() {
                     chosen = Some(Chosen::Report);
@@ -75,7 +76,10 @@ pub fn lessons_sheet_ui(
             });
             ui.add_space(8.0);
         }
-        ui.label(RichText::new("A lesson of your own, or a report, can be dropped on this page.").font(theme::small()));
+        ui.label(
+            RichText::new("A lesson of your own, or a report, can be dropped on this page.")
+                .font(theme::small()),
+        );
         ui.horizontal_wrapped(|ui| {
             if has_files && ui.button("Open a file …").clicked() {
                 chosen = Some(Chosen::File);
