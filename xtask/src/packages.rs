@@ -43,7 +43,7 @@ pub fn optimise(wasm_opt: &Path, program: &Path) -> Result<()> {
     process::run(
         Command::new("node")
             .arg(wasm_opt)
-            .arg("-Oz")
+            .arg("-Os")
             .args(features.map(|feature| format!("--enable-{feature}")))
             .args(["--output".as_ref(), program.as_os_str(), program.as_os_str()]),
     )

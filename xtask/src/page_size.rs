@@ -9,7 +9,7 @@ use crate::project::Project;
 
 /// The whole page, compressed with brotli at its highest quality, in bytes.
 ///
-/// It weighs 1.17 MB today, a third of it egui's own text engine and fonts. The rest of the budget is for lessons, and for
+/// It weighs 1.30 MB today, a third of it egui's own text engine and fonts. The rest of the budget is for
 /// import and export; on a line of 5 Mbit/s a full one would take 2.2 s to arrive.
 const BUDGET: usize = 1_350_000;
 
