@@ -156,6 +156,7 @@ test("a lesson is opened by drop and by a link to a file beside the page; a faul
   await counts(told(page, /bad\.md, line 15/), 1, "where the fault is");
   await drop(page, "good.md", OWN);
   await counts(told(page, "Is it fast?"), 1, "a file of one's own");
+  await until(() => page.evaluate(() => location.hash), (hash) => hash.endsWith("lesson=good.md&step=1"), "in the address");
   await page.reload();
   await counts(told(page, "Is it fast?"), 1, "kept on this device");
   // What is hidden is nowhere, until the question has its answer.
