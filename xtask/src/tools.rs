@@ -44,8 +44,9 @@ impl Tool {
     pub fn installed(&self, project: &Project) -> Result<PathBuf> {
         let root = tools_folder()?.join(format!("{}-{}", self.package, self.version));
         let bin = root.join("bin");
-        // Cargo writes this list last, so a half-finished installation isn't taken for a whole one.
-        if root.join(".crates.toml").is_file() {
+        // Cargo begins with an empty list and writes into it last, so a half-finished installation isn't taken for a whole one.
+        let list = std::fs::read_to_string(root.join(".crates.toml")).unwrap_or_default();
+        if list.contains(self.package) {
             return Ok(bin);
         }
         println!(
