@@ -282,7 +282,7 @@ fn where_a_disturbance_is_no_longer_small_the_limit_is_told_and_the_nonlinear_fl
     let line = said(&harness, "no longer small");
     let end = motion(&harness).small_until.expect("it grows");
     assert!(line.starts_with(&format!("After {end:.2} s")), "{line}");
-    assert!(line.contains("Δθ is more than 57.3 deg"), "{line}");
+    assert!(line.contains("Δθ is more than 57.3\u{a0}deg"), "{line}");
     assert!(line.ends_with("the linear curve goes on, faded."), "{line}");
     harness.get_by_label("Draw the nonlinear flight").click();
     harness.run();
@@ -290,7 +290,7 @@ fn where_a_disturbance_is_no_longer_small_the_limit_is_told_and_the_nonlinear_fl
     assert!(app(&harness).link().contains("flight=nonlinear"));
     open(&mut harness, "v=1&ac=navion&cg=10");
     let line = said(&harness, "no longer small");
-    assert!(line.contains("Δu is more than 26.8 m/s, 50 % of the flight speed"), "{line}");
+    assert!(line.contains("Δu is more than 26.8\u{a0}m/s, 50 % of the flight speed"), "{line}");
     // Of bare matrices there is none.
     open(&mut harness, "v=1&ac=lesson-printed&elevator=-3");
     assert!(said(&harness, "no longer small").contains("Δ"));

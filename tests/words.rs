@@ -98,3 +98,11 @@ fn what_is_said_of_a_mode_is_whole_sentences() {
     }
     assert!(told > 10_000, "{told}");
 }
+
+#[test]
+fn a_unit_that_begins_with_a_number_is_multiplied() {
+    use eigenwing::words::measure::with_unit;
+    assert_eq!(with_unit("0.88", "100 ft/s"), "0.88\u{a0}×\u{a0}100 ft/s");
+    assert_eq!(with_unit("26.8", "m/s"), "26.8\u{a0}m/s");
+    assert_eq!(with_unit("0.7", ""), "0.7");
+}

@@ -92,7 +92,16 @@ pub fn reading(measure: Measure, reading: Reading, length: LengthUnit) -> String
 pub fn number(dimension: Dimension, value: f64, length: LengthUnit) -> String {
     let shown = significant(value / dimension.in_si(length), 3);
     let unit = dimension.symbol(length);
-    if unit.is_empty() { shown } else { format!("{shown}\u{a0}{unit}") }
+    with_unit(&shown, unit)
+}
+
+/// A number with its unit; times it, where the unit begins with a number of its own: 0.88 × 100 ft/s.
+pub fn with_unit(number: &str, unit: &str) -> String {
+    match unit.chars().next() {
+        None => number.to_owned(),
+        Some(first) if first.is_ascii_digit() => format!("{number}\u{a0}×\u{a0}{unit}"),
+        Some(_) => format!("{number}\u{a0}{unit}"),
+    }
 }
 
 /// A verdict on stability in one word.

@@ -6,6 +6,7 @@ use crate::flight::motion::outputs::Output;
 use crate::flight::motion::small_disturbance::{LARGEST_SPEED, SmallLimit};
 use crate::number::{significant, trimmed};
 use crate::scenario::Quantity;
+use crate::words::measure;
 
 /// The moment and the limit, in a sentence; `None` where the disturbance stays small.
 pub fn sentence(motion: &Motion, length: LengthUnit) -> Option<String> {
@@ -22,12 +23,12 @@ pub fn aircraft_stays(motion: &Motion, length: LengthUnit) -> Option<String> {
 fn limit_passed(SmallLimit { output, limit }: SmallLimit, length: LengthUnit) -> String {
     let Quantity { symbol, dimension, .. } = Quantity::of(output);
     let number = trimmed(limit / dimension.in_si(length), 3);
-    let unit = dimension.symbol(length);
+    let number = measure::with_unit(&number, dimension.symbol(length));
     match output {
         Output::ForwardSpeed => {
             let share = trimmed(100.0 * LARGEST_SPEED, 3);
-            format!("{symbol} is more than {number} {unit}, {share} % of the flight speed")
+            format!("{symbol} is more than {number}, {share} % of the flight speed")
         }
-        _ => format!("{symbol} is more than {number} {unit}"),
+        _ => format!("{symbol} is more than {number}"),
     }
 }
