@@ -8,6 +8,7 @@ use std::sync::Arc;
 use egui::Vec2;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use eigenwing::lesson::{Place, Records};
 use eigenwing::scenario::Parameter;
 use eigenwing::ui::FileRequest;
 use page::{PHONE, Page, WIDE, app, open, page, type_into};
@@ -399,4 +400,38 @@ fn what_a_step_hides_is_shown_once_its_questions_are_answered() {
         click(&mut harness, "← Back");
         assert!(count(&harness, " · T 29.5 s") > 0, "answered before: {size}");
     }
+}
+
+#[test]
+fn the_report_has_the_scene_that_reached_the_goal_and_not_the_try_before_it() {
+    let goal = r##"+++
+title = "A goal"
++++
+## Stiffer
+```scene
+link = "#v=1&ac=navion"
+```
+```task
+goal = "Stiffen it."
+offer = ["cm_alpha"]
+solution = "#v=1&ac=navion&cm_alpha=-2"
+[[until]]
+measure = "short_period.imaginary_part"
+at_least = "1.5 × start"
+```
+"##;
+    let mut harness = page(WIDE);
+    drop_file(&mut harness, "goal.md", goal.as_bytes());
+    for value in ["-0.8", "-2", "-0.9"] {
+        type_into(&mut harness, "pitch stiffness C_mα, typed", value);
+    }
+    let records = Records::read(&stored(&mut harness)).expect("records");
+    let record = &records.lessons["goal.md"];
+    let place = Place { step: 0, part: 0 };
+    assert!(record.answers.get(place).is_some_and(|given| given.reached));
+    assert!(record.scenes[&place].contains("cm_alpha=-2"), "{:?}", record.scenes);
+    // Nobody is greeted who has begun.
+    harness.state_mut().as_mut().expect("the page").greet();
+    harness.run();
+    assert_eq!(count(&harness, "New here?"), 0);
 }

@@ -21,7 +21,8 @@ impl App {
     }
 
     pub(super) fn greeting_ui(&mut self, ui: &mut Ui) {
-        if !self.panes.greets {
+        // Whoever comes by a link to a lesson has begun.
+        if !self.panes.greets || self.has_lesson() {
             return;
         }
         let ground = Frame::new().fill(Palette::of(ui).good_ground).inner_margin(Margin::symmetric(14, 7));

@@ -32,10 +32,9 @@ impl App {
         // Taken out, so that the scene can be asked for.
         let mut pane = std::mem::take(&mut self.panes.lesson);
         if let LessonPane::Open(session) = &mut pane {
-            session.keep_scene(&self.findings, || self.link_of_scene(&self.view));
-            let (address, record) = (session.place().address, session.record());
-            if self.records.lessons.get(&address) != Some(&record) {
-                self.records.lessons.insert(address, record);
+            session.keep_scene(&self.findings, &self.aircraft, || self.link_of_scene(&self.view));
+            if self.records.lessons.get(session.address()) != Some(session.record()) {
+                self.records.lessons.insert(session.address().to_owned(), session.record().clone());
                 self.records_changed = true;
             }
         }

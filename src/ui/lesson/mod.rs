@@ -32,16 +32,16 @@ mod way;
 mod word;
 mod write;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use egui::{Button, Frame, RichText, Ui};
 
 use super::theme::{self, Palette};
-use crate::content::{Aircraft, ContentError, TextFile};
+use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
-use crate::lesson::{Answers, Lesson, Part, Place, Record, Shelf, Step};
+use crate::lesson::{Lesson, Part, Place, Record, Shelf, Step};
 use crate::scenario::Scenario;
 use crate::scenario::link::LessonPlace;
 use question::{Asked, question_ui};
@@ -58,17 +58,10 @@ pub struct Session {
     address: String,
     lesson: Rc<Lesson>,
     shelf: Rc<Shelf>,
-    /// The files that it came from, where nobody else has them.
-    files: Vec<TextFile>,
-    step: usize,
-    /// Steps that have been open.
-    seen: BTreeSet<usize>,
-    /// Links to the scenes in which goals were reached, or with which their steps were left.
-    scenes: BTreeMap<Place, String>,
+    /// What has been done in it, and where the person is.
+    record: Record,
     /// The scene of the step as it was at its start.
     start: Rc<Findings>,
-    /// Answers, and what help was asked for.
-    given: Answers,
     /// Questions that have been on screen.
     asked: BTreeMap<Place, Asked>,
     /// Tasks that have been on screen.
@@ -105,55 +98,51 @@ impl Session {
         let count = lesson.steps.len();
         let step = place.step.min(count.saturating_sub(1));
         let start = Rc::new(start_of(&lesson.file, lesson.steps.get(step), aircraft)?);
-        let mut session = Self {
-            address: place.address,
-            shelf,
-            files: before.files,
+        let mut record = Record {
+            title: lesson.title.clone(),
             step,
-            seen: before.seen.into_iter().filter(|step| *step < count).collect(),
-            scenes: before.scenes,
-            start,
-            given: before.answers.fitting(&lesson),
-            asked: BTreeMap::new(),
-            tried: BTreeMap::new(),
-            lesson,
+            answers: before.answers.clone().fitting(&lesson),
+            ..before
         };
-        session.seen.insert(step);
-        Ok(session)
+        record.seen.retain(|step| *step < count);
+        record.seen.insert(step);
+        let (asked, tried) = (BTreeMap::new(), BTreeMap::new());
+        Ok(Self { address: place.address, lesson, shelf, record, start, asked, tried })
     }
 
     /// Where the person is.
     pub fn place(&self) -> LessonPlace {
-        LessonPlace { address: self.address.clone(), step: self.step, begins: false }
+        LessonPlace { address: self.address.clone(), step: self.record.step, begins: false }
+    }
+
+    /// Where it was opened from.
+    pub fn address(&self) -> &str {
+        &self.address
     }
 
     /// Whether its file is on this device only.
     pub fn is_own(&self) -> bool {
-        !self.files.is_empty()
+        !self.record.files.is_empty()
     }
 
     /// What has been done in it.
-    pub fn record(&self) -> Record {
-        Record {
-            title: self.lesson.title.clone(),
-            step: self.step,
-            seen: self.seen.clone(),
-            answers: self.given.clone(),
-            scenes: self.scenes.clone(),
-            files: self.files.clone(),
-        }
+    pub fn record(&self) -> &Record {
+        &self.record
     }
 
-    /// Keeps the scene of each task of the step: the one that reached its goal, and until then the one that is on screen.
-    pub fn keep_scene(&mut self, now: &Findings, link: impl Fn() -> String) {
-        let parts = self.current().map_or(&[][..], |step| &step.parts);
-        let tasks = parts.iter().enumerate().filter(|(_, part)| matches!(part, Part::Task(_)));
-        let places: Vec<Place> = tasks.map(|(part, _)| Place { step: self.step, part }).collect();
-        for place in places {
-            let reached = self.given.get(place).is_some_and(|given| given.reached);
-            let is_settled = reached && self.scenes.contains_key(&place);
-            if !is_settled && now.scenario() != self.start.scenario() {
-                self.scenes.insert(place, link());
+    /// Keeps the scene of each task of the step: the last that met its goal, and until there is one the last that was tried.
+    pub fn keep_scene(&mut self, now: &Findings, aircraft: &[Arc<Aircraft>], link: impl Fn() -> String) {
+        if now.scenario() == self.start.scenario() {
+            return;
+        }
+        let step = self.record.step;
+        let parts = self.lesson.steps.get(step).map_or(&[][..], |step| &step.parts);
+        for (part, what) in parts.iter().enumerate() {
+            let Part::Task(task) = what else { continue };
+            let place = Place { step, part };
+            let was_reached = self.record.answers.get(place).is_some_and(|given| given.reached);
+            if !was_reached || task.is_met(&self.start, now, aircraft) {
+                self.record.scenes.insert(place, link());
             }
         }
     }
@@ -175,7 +164,10 @@ impl Session {
         let mut questions = parts.filter(|(_, part)| matches!(part, Part::Prediction(_))).peekable();
         questions.peek().is_some()
             && questions.all(|(part, _)| {
-                self.given.get(Place { step: self.step, part }).is_some_and(|given| given.is_final)
+                self.record
+                    .answers
+                    .get(Place { step: self.record.step, part })
+                    .is_some_and(|given| given.is_final)
             })
     }
 
@@ -183,21 +175,22 @@ impl Session {
     pub fn holds_task_back(&self) -> bool {
         let parts = self.current().into_iter().flat_map(|step| step.parts.iter().enumerate());
         let mut from_question = parts.skip_while(|(part, is)| {
-            let place = Place { step: self.step, part: *part };
-            !matches!(is, Part::Prediction(_)) || self.given.get(place).is_some_and(|given| given.is_final)
+            let place = Place { step: self.record.step, part: *part };
+            !matches!(is, Part::Prediction(_))
+                || self.record.answers.get(place).is_some_and(|given| given.is_final)
         });
         from_question.any(|(_, part)| matches!(part, Part::Task(_)))
     }
 
     fn current(&self) -> Option<&Step> {
-        self.lesson.steps.get(self.step)
+        self.lesson.steps.get(self.record.step)
     }
 
     /// Goes to another step. Says whether its scene is another.
     fn go_to(&mut self, step: usize, aircraft: &[Arc<Aircraft>]) -> bool {
         let before = (self.link().to_owned(), self.offered());
-        self.step = step.min(self.lesson.steps.len().saturating_sub(1));
-        self.seen.insert(self.step);
+        self.record.step = step.min(self.lesson.steps.len().saturating_sub(1));
+        self.record.seen.insert(self.record.step);
         if let Ok(start) = start_of(&self.lesson.file, self.current(), aircraft) {
             self.start = Rc::new(start);
         }
@@ -234,7 +227,7 @@ pub fn lesson_ui(
             }
         });
     });
-    let index = session.step;
+    let index = session.record.step;
     let Some(step) = session.lesson.steps.get(index) else { return wish };
     theme::heading(ui, RichText::new(&step.title).font(theme::semibold(theme::sizes(ui).card)), 2);
     let context = text::Context { start: &session.start, shelf: &session.shelf, aircraft };
@@ -245,7 +238,7 @@ pub fn lesson_ui(
         match part {
             Part::Text(text) => wish = text_ui(ui, text, context).or(wish),
             Part::Prediction(prediction) => {
-                let (given, asked) = (session.given.at(at), session.asked.entry(at).or_default());
+                let (given, asked) = (session.record.answers.at(at), session.asked.entry(at).or_default());
                 ui.push_id(at, |ui| question_ui(ui, prediction, given, asked, context));
                 is_open &= given.is_final;
             }
@@ -254,26 +247,26 @@ pub fn lesson_ui(
                 wish = frame.show(ui, |ui| text_ui(ui, text, context)).inner.or(wish);
             }
             Part::Task(task) if is_open => {
-                let (given, tried) = (session.given.at(at), session.tried.entry(at).or_default());
+                let (given, tried) = (session.record.answers.at(at), session.tried.entry(at).or_default());
                 let asked = ui.push_id(at, |ui| task_ui(ui, task, given, tried, now, context)).inner;
                 wish = asked.or(wish);
             }
             Part::Reveal(_) | Part::Task(_) => {}
             Part::Write(writing) => {
-                let given = session.given.at(at);
+                let given = session.record.answers.at(at);
                 ui.push_id(at, |ui| write_ui(ui, writing, given, context));
             }
         }
         ui.add_space(6.0);
     }
-    let (count, record) = (session.lesson.steps.len(), session.record());
+    let count = session.lesson.steps.len();
     ui.separator();
     let mut to = None;
     ui.horizontal(|ui| {
         if ui.add_enabled(index > 0, Button::new("← Back")).clicked() {
             to = Some(index - 1);
         }
-        to = map::map_ui(ui, &session.lesson, &record).or(to);
+        to = map::map_ui(ui, &session.lesson, &session.record).or(to);
         if index + 1 == count {
             if ui.button("To the lessons").clicked() {
                 wish = Some(Wish::Lessons);
