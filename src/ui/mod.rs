@@ -16,6 +16,7 @@ mod kept;
 mod keys;
 mod labels;
 mod lesson;
+mod look;
 mod mode_cards;
 mod number_field;
 mod overall_level;
@@ -33,4 +34,4 @@ mod top_bar;
 mod why;
 
 pub use app::{App, FileRequest};
-pub use palette::Look;
+pub use look::Look;

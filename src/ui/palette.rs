@@ -4,12 +4,12 @@
 //! palette they are lightened. Text in the colour of a mode has a darker tone of the same hue, since thin strokes need more
 //! contrast than marks. Colour never stands alone: a mode also has its name.
 
-use egui::{Color32, Context, CornerRadius, Stroke, Theme, Ui, Visuals};
+use egui::{Color32, CornerRadius, Stroke, Ui, Visuals};
 
 use super::curtain::Curtain;
+use super::look::Look;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
-use crate::key::keys;
 use crate::scenario::Hidden;
 use crate::shape::{Finish, Material};
 
@@ -120,7 +120,7 @@ const HIDES: f32 = 0.9;
 /// Strength of the paler of two neighbouring bars.
 const PALE: f32 = 0.4;
 
-const LIGHT: Palette = Palette {
+pub(super) const LIGHT: Palette = Palette {
     background: Color32::from_rgb(0xf3, 0xf5, 0xf8),
     pane: Color32::WHITE,
     field: Color32::from_rgb(0xf6, 0xf8, 0xfa),
@@ -195,7 +195,7 @@ const LIGHT: Palette = Palette {
     spiral: Tone { mark: Color32::from_rgb(0xb8, 0x7a, 0x00), text: Color32::from_rgb(0x8c, 0x5e, 0x00) },
 };
 
-const DARK: Palette = Palette {
+pub(super) const DARK: Palette = Palette {
     background: Color32::from_rgb(0x0e, 0x12, 0x17),
     pane: Color32::from_rgb(0x16, 0x1c, 0x23),
     field: Color32::from_rgb(0x1e, 0x26, 0x2f),
@@ -259,7 +259,7 @@ const DARK: Palette = Palette {
 };
 
 /// For a beamer that washes out all that is pale: black on white, every line and ground a step stronger.
-const PROJECTOR: Palette = Palette {
+pub(super) const PROJECTOR: Palette = Palette {
     background: Color32::WHITE,
     pane: Color32::WHITE,
     field: Color32::from_rgb(0xee, 0xf1, 0xf4),
@@ -305,102 +305,6 @@ const PROJECTOR: Palette = Palette {
     ..LIGHT
 };
 
-/// How the page looks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
-    /// Dark on light.
-    Light,
-    /// Light on dark.
-    Dark,
-    /// Strong colours on white.
-    Projector,
-}
-
-keys! {
-    Look {
-        Light => "light",
-        Dark => "dark",
-        Projector => "projector",
-    }
-}
-
-impl Look {
-    /// The look that a person has chosen; `None` while it is that of the system.
-    pub fn chosen(ctx: &Context) -> Option<Self> {
-        ctx.data(|data| data.get_temp::<bool>(projector_id())).map(|_| Self::of(ctx))
-    }
-
-    /// The look in force. Until one is chosen it is that of the system.
-    pub fn of(ctx: &Context) -> Self {
-        let dark = ctx.theme() == Theme::Dark;
-        let projector = ctx.data(|data| data.get_temp::<bool>(projector_id())).unwrap_or(false);
-        match (dark, projector) {
-            (true, _) => Self::Dark,
-            (false, true) => Self::Projector,
-            (false, false) => Self::Light,
-        }
-    }
-
-    /// Puts a look in force.
-    pub fn set(self, ctx: &Context) {
-        ctx.data_mut(|data| data.insert_temp(projector_id(), self == Self::Projector));
-        ctx.style_mut_of(Theme::Light, |style| {
-            let palette = if self == Self::Projector { &PROJECTOR } else { &LIGHT };
-            palette.dress(&mut style.visuals);
-        });
-        ctx.set_theme(if self == Self::Dark { Theme::Dark } else { Theme::Light });
-    }
-
-    /// The one that comes after it.
-    pub const fn next(self) -> Self {
-        match self {
-            Self::Light => Self::Dark,
-            Self::Dark => Self::Projector,
-            Self::Projector => Self::Light,
-        }
-    }
-
-    /// The words on screen.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Light => "Light theme",
-            Self::Dark => "Dark theme",
-            Self::Projector => "Projector theme",
-        }
-    }
-
-    /// Its sign.
-    pub const fn sign(self) -> &'static str {
-        match self {
-            Self::Light => "☀",
-            Self::Dark => "☾",
-            Self::Projector => "◐",
-        }
-    }
-
-    /// Its colours.
-    pub const fn palette(self) -> &'static Palette {
-        match self {
-            Self::Light => &LIGHT,
-            Self::Dark => &DARK,
-            Self::Projector => &PROJECTOR,
-        }
-    }
-
-    const fn unnamed_palette(self) -> &'static Palette {
-        const UNNAMED: [Palette; 3] = [LIGHT.unnamed(), DARK.unnamed(), PROJECTOR.unnamed()];
-        match self {
-            Self::Light => &UNNAMED[0],
-            Self::Dark => &UNNAMED[1],
-            Self::Projector => &UNNAMED[2],
-        }
-    }
-}
-
-fn projector_id() -> egui::Id {
-    egui::Id::unique("projector look")
-}
-
 impl Palette {
     /// The palette of the look in force.
     pub fn of(ui: &Ui) -> &'static Self {
@@ -409,7 +313,7 @@ impl Palette {
     }
 
     /// The same with one colour for all modes, whose names are hidden.
-    const fn unnamed(self) -> Self {
+    pub(super) const fn unnamed(self) -> Self {
         let tone = Tone { mark: self.weak, text: self.weak };
         Self {
             short_period: tone,
@@ -635,7 +539,7 @@ mod tests {
 
     #[test]
     fn a_look_is_chosen_once_it_is_set_and_known_by_its_key() {
-        let ctx = Context::default();
+        let ctx = egui::Context::default();
         assert_eq!(Look::chosen(&ctx), None);
         for look in [Look::Projector, Look::Dark, Look::Light] {
             look.set(&ctx);

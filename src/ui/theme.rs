@@ -7,8 +7,9 @@ use egui::{
 };
 
 use super::fonts;
+pub use super::look::Look;
 use super::palette::CORNER;
-pub use super::palette::{Look, Palette};
+pub use super::palette::Palette;
 
 /// Height of a control that a finger may have to hit \[points\].
 pub const TOUCH_HEIGHT: f32 = 44.0;
