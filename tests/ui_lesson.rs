@@ -320,6 +320,9 @@ fn a_reload_in_the_middle_loses_nothing_and_a_report_is_taken_up_elsewhere() {
     let mut elsewhere = page(PHONE);
     drop_file(&mut elsewhere, "eigenwing-report.html", report.text.as_bytes());
     assert_eq!(count(&elsewhere, &done), 1);
+    // Another lesson in a file of the same name begins anew.
+    drop_file(&mut harness, "own.md", OWN.replace("Of my own", "Of another").as_bytes());
+    assert_eq!(count(&harness, "That is right."), 0);
     drop_file(&mut elsewhere, "photos.html", b"<html>");
     assert_eq!(count(&elsewhere, "“photos.html” is no report of a lesson"), 1);
 }

@@ -6,7 +6,7 @@ use egui::Ui;
 
 use super::{App, PhonePane};
 use crate::content::{ContentError, TextFile, lessons};
-use crate::lesson::Course;
+use crate::lesson::{Course, Record};
 use crate::scenario::link::LessonPlace;
 use crate::ui::lesson::Session;
 
@@ -200,7 +200,11 @@ impl App {
 
     fn begin_lesson(&mut self, course: &Course, index: usize, mut place: LessonPlace) {
         let Some(lesson) = course.lessons.get(index) else { return };
-        let before = self.records.lessons.get(&place.address).cloned().unwrap_or_default();
+        let mut before = self.records.lessons.get(&place.address).cloned().unwrap_or_default();
+        if !before.title.is_empty() && before.title != lesson.title {
+            // Another lesson in a file of the same name: what was answered in the old one says nothing here.
+            before = Record { files: before.files, ..Record::default() };
+        }
         let begins = place.begins;
         let (done, count) = before.done(lesson);
         if begins && place.step == 0 && done < count {

@@ -99,13 +99,16 @@ impl App {
                 self.want_lesson(LessonPlace { address, step: 0, begins: true });
             }
             Some(Wish::Lessons) => self.panes.lessons = true,
-            Some(Wish::Close) => {
-                self.panes.lesson = LessonPane::Closed;
-                self.view.stage = Stage::default();
-            }
+            Some(Wish::Close) => self.close_lesson(),
             None => return,
         }
         ui.request_repaint();
+    }
+
+    /// Closes the lesson; its stage goes with it.
+    pub(super) fn close_lesson(&mut self) {
+        self.panes.lesson = LessonPane::Closed;
+        self.view.stage = Stage::default();
     }
 
     /// Opens the scene of the step, with the sliders that its task offers.

@@ -59,7 +59,7 @@ impl App {
             Ok(records) => {
                 self.records.complete(records);
                 self.records_changed = true;
-                self.panes.lesson = LessonPane::Closed;
+                self.close_lesson();
                 self.panes.lessons = true;
             }
             Err(error) => {
