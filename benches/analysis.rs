@@ -11,16 +11,22 @@ use eigenwing::flight::aircraft::aircraft_model::{AircraftModel, MatrixModel};
 use eigenwing::flight::aircraft::axes::StabilityAxes;
 use eigenwing::flight::aircraft::edits::EditedModel;
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel, Trim};
+use eigenwing::flight::feedback::closed_model::ClosedModel;
+use eigenwing::flight::feedback::loop_transfer::LoopTransfer;
+use eigenwing::flight::feedback::margins::LoopMargins;
+use eigenwing::flight::feedback::{Law, analyse_loop};
 use eigenwing::flight::modes::approximations::{DownwashLag, approximations};
-use eigenwing::flight::modes::eigen::eigen;
+use eigenwing::flight::modes::eigen::{eigen, eigenvalues};
 use eigenwing::flight::modes::inverse::{Adjustable, Linearised, place_pole};
 use eigenwing::flight::modes::locus::locus;
 use eigenwing::flight::modes::mode::modes;
 use eigenwing::flight::modes::sensitivity::{entry_rate, sensitivity};
 use eigenwing::flight::motion::aerodynamics::Controls;
+use eigenwing::flight::motion::control_limits::NamedLimits;
 use eigenwing::flight::motion::flight_path::Excitation;
 use eigenwing::flight::motion::inputs::Input;
 use eigenwing::flight::motion::response::{DrivenSystem, TimeGrid, respond};
+use eigenwing::flight::motion::servos::{MEASURED, OWN, Servos};
 use eigenwing::flight::motion::six_dof::{SixDof, Wind};
 use eigenwing::flight::verdicts::handling_qualities::handling_qualities;
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class};
@@ -40,7 +46,7 @@ fn lesson() -> PlaneModel {
     ]);
     let b = Matrix4x2::from_row_slice(&[0.0, 0.0, -0.282, 0.0, -9.72, 0.0, 0.0, 0.0]);
     let trim = Trim { speed: 1.76, alpha0: 0.0, gamma0: 0.0, gravity: 0.322 };
-    PlaneModel { plane: Plane::Longitudinal, a, b, trim }
+    PlaneModel { plane: Plane::Longitudinal, a, b, trim, further: None }
 }
 
 /// The first aircraft that ships, the Navion, from its coefficients.
@@ -131,12 +137,28 @@ fn nonlinear(criterion: &mut Criterion) {
         lateral: Vector4::zeros(),
         heading: 0.0,
         position: [0.0; 3],
+        servos: None,
     };
     criterion.bench_function("navion/six_dof_trim", |bench| {
         bench.iter(|| SixDof::new(black_box(&scenario.edited)));
     });
     criterion.bench_function("navion/fly_60_s", |bench| {
         bench.iter(|| black_box(&flight).fly(&excitation, GRID));
+    });
+    let mut gains = [[0.0; MEASURED]; 4];
+    // Yaw rate to rudder, pitch rate to elevator.
+    (gains[3][7], gains[0][2]) = (1.0, 0.3);
+    let servos = Servos {
+        gains,
+        washouts: [0.0, 3.0],
+        lags: [0.1; 4],
+        limits: NamedLimits::default().or_usual(&flight),
+        commands: &|_| [0.0; MEASURED],
+        start: [0.0; OWN],
+    };
+    let under_law = Excitation { servos: Some(&servos), ..excitation };
+    criterion.bench_function("navion/fly_60_s under a law", |bench| {
+        bench.iter(|| black_box(&flight).fly(&under_law, GRID));
     });
 }
 
@@ -195,5 +217,30 @@ fn parts(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, whole, nonlinear, parts);
+/// A yaw damper with washout and actuator, six states, and what a law appends at most, eight.
+fn feedback(criterion: &mut Criterion) {
+    let Some(models) = navion().and_then(|scenario| scenario.edited.models().ok()) else { return };
+    let Some(model) = &models.planes.lateral else { return };
+    let mut law = Law { actuator: 0.1, ..Law::default() };
+    law.planes.lateral.washout = 3.0;
+    law.planes.lateral.to_second[2] = 0.5;
+    let six = law;
+    law.planes.lateral.to_first[4] = -0.2;
+    for (states, law) in [(6, six), (8, law)] {
+        let Ok(closed) = ClosedModel::new(model, &law) else { continue };
+        assert_eq!(closed.size(), states);
+        let mut bench = |what: &str, run: &dyn Fn()| {
+            criterion.bench_function(&format!("feedback/{what} of {states} states"), |bench| bench.iter(run));
+        };
+        bench("eigensystem", &|| drop(black_box(eigen(black_box(&closed.a)))));
+        bench("eigenvalues", &|| drop(black_box(eigenvalues(black_box(&closed.a)))));
+        bench("analyse_loop", &|| drop(black_box(analyse_loop(model, black_box(&law), None))));
+        bench("margins", &|| {
+            let transfer = LoopTransfer::of(black_box(&closed), 1);
+            let _ = black_box(transfer.map(|transfer| transfer.map(|of| LoopMargins::of(&of))));
+        });
+    }
+}
+
+criterion_group!(benches, whole, nonlinear, parts, feedback);
 criterion_main!(benches);

@@ -9,12 +9,12 @@ pub trait Keyed: Copy + PartialEq + 'static {
     /// The key of this value.
     fn key(self) -> &'static str;
 
-    /// Other spellings of the key that were published too, the one in links first.
+    /// Other spellings of the key that were published too: they are read, never written.
     fn aliases(self) -> &'static [&'static str];
 
-    /// How links spell it.
-    fn in_links(self) -> &'static str {
-        self.aliases().first().copied().unwrap_or(self.key())
+    /// How links spell it: the key, in small letters.
+    fn in_links(self) -> String {
+        self.key().to_lowercase()
     }
 
     /// The value of a key or another spelling of it. Case doesn't matter, nor what stands between letters and digits, so that a
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn links_have_a_spelling_of_their_own_where_there_is_one() {
-        assert_eq!([Air::Rising, Air::Ahead].map(Keyed::in_links), ["gust", "air-ahead"]);
+    fn links_write_the_key_whatever_other_spellings_there_are() {
+        assert_eq!([Air::Rising, Air::Ahead].map(Keyed::in_links), ["rising-air", "air-ahead"]);
     }
 }

@@ -18,7 +18,7 @@
 //! | [`key`] | names of values for programs: files, links, requests, answers | everything |
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`shape`] | what an aircraft looks like: faces lofted from its geometry, in the order to draw them | files, colours, screens |
-//! | [`content`] | the aircraft that ship with the page, read and checked once; files from elsewhere, as text | egui, web |
+//! | [`content`] | the aircraft that ship with the page, read and checked once; files from elsewhere, reviewed before they are used | egui, web |
 //! | [`scenario`] | what is being studied and how it is looked at, the one table of adjustable quantities, and the scene as a link | egui, web |
 //! | [`findings`] | everything that follows from a scenario, each result found once | egui, web |
 //! | [`words`] | sentences for what follows | egui, files |

@@ -28,6 +28,12 @@ pub fn trimmed(value: f64, digits: usize) -> String {
     }
 }
 
+/// The shortest text that reads back to the last bit, with `-` for minus, for files and links; an exponent only where that is shorter.
+pub fn shortest(value: f64) -> String {
+    let (plain, scientific) = (value.to_string(), format!("{value:e}"));
+    if scientific.len() < plain.len() { scientific } else { plain }
+}
+
 /// A number with a fixed number of decimals, with `−` for minus and never a minus zero.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");

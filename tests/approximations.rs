@@ -11,6 +11,7 @@ use eigenwing::flight::modes::approximations::{
     Approximation, ApproximationName as Name, DownwashLag, ModeValue, approximations,
 };
 use eigenwing::flight::modes::mode::modes;
+use eigenwing::scenario::Notation;
 use eigenwing::words;
 use nalgebra::{Matrix4, Matrix4x2};
 use proptest::prelude::*;
@@ -209,6 +210,7 @@ fn model(plane: Plane, rows: [[f64; 4]; 4]) -> PlaneModel {
         a: Matrix4::from_fn(|i, j| rows[i][j]),
         b: Matrix4x2::zeros(),
         trim: Trim { speed: 50.0, alpha0: 0.0, gamma0: 0.0, gravity: 9.81 },
+        further: None,
     }
 }
 
@@ -359,8 +361,8 @@ fn every_approximation_says_what_it_leaves_out() {
     for (_, model) in all_models() {
         for found in all(&model) {
             assert!(
-                words::approximation::formula(found.name).contains('=')
-                    && words::approximation::neglects(found.name).ends_with('.')
+                words::approximation::formula(found.name, Notation::Velocities).contains('=')
+                    && words::approximation::neglects(found.name, Notation::Velocities).ends_with('.')
             );
             assert!(found.value.is_some() && found.exact.is_some());
         }

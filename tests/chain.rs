@@ -345,7 +345,7 @@ fn axes_change_no_eigenvalue_and_there_and_back_is_the_same() {
                 assert!((back.a - model.a).amax() <= 1e-12 * model.a.amax(), "{}", one.key);
                 assert!((back.b - model.b).amax() <= 1e-12 * model.b.amax(), "{}", one.key);
                 let (x, y) = (eigen(&model.a).expect("it solves"), eigen(&turned.a).expect("it solves"));
-                for value in x.values {
+                for value in &x.values {
                     let least =
                         y.values.iter().map(|other| (other - value).norm()).fold(f64::INFINITY, f64::min);
                     assert!(

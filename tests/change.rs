@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use eigenwing::content::{LengthUnit, embedded_aircraft};
+use eigenwing::content::embedded_aircraft;
 use eigenwing::findings::Findings;
 use eigenwing::findings::change::{Change, Kind, NewTrim, Oscillation, Shift, Terms, reference_of};
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::approximations::ApproximationName;
 use eigenwing::flight::modes::mode_name::ModeName;
-use eigenwing::scenario::{Parameter, Scenario, Shape, Source, parameters};
+use eigenwing::scenario::{Convention, Parameter, Scenario, Shape, Source, parameters};
 use eigenwing::words;
 
 fn navion(plane: Plane) -> Scenario {
@@ -33,7 +33,7 @@ fn oscillation(change: &Change, name: ModeName) -> &Oscillation {
 
 fn text(change: &Change, name: ModeName) -> String {
     let mode = change.modes.iter().find(|mode| mode.name == name).expect("the mode is there");
-    let reasons = words::change::reasons(change, mode, LengthUnit::Metre).expect("it has moved");
+    let reasons = words::change::reasons(change, mode, Convention::SI).expect("it has moved");
     let sentences: Vec<String> = std::iter::once(reasons.headline).chain(reasons.more).collect();
     sentences.join(" ").replace('\u{a0}', " ")
 }
@@ -182,7 +182,7 @@ fn an_elevator_step_ends_at_another_speed() {
     for (balance, control) in [(trim.moment, 0.195), (trim.lift, 0.150)] {
         assert!((balance.control.abs() - control).abs() < 0.01, "{balance:?}");
     }
-    let said = words::new_trim::sentence(&trim, LengthUnit::Metre);
+    let said = words::new_trim::sentence(&trim, Convention::SI);
     assert!(said.contains("Δu = +6.1") && said.starts_with("A new elevator is a new trim"), "{said}");
     scenario.disturbance.choices.longitudinal.control_shape = Shape::Pulse;
     assert_eq!(NewTrim::of(&Findings::of(scenario)), None);
@@ -196,7 +196,7 @@ fn a_thrust_without_moment_is_another_path_and_hardly_another_speed() {
     scenario.disturbance.choices.longitudinal.control_shape = Shape::Step;
     let trim = NewTrim::of(&Findings::of(scenario)).expect("it settles");
     assert!(trim.speed.abs() < 1e-9 && trim.gamma > 0.01, "{trim:?}");
-    let said = words::new_trim::sentence(&trim, LengthUnit::Metre);
+    let said = words::new_trim::sentence(&trim, Convention::SI);
     assert!(said.starts_with("A new thrust is a new path"), "{said}");
 }
 
@@ -232,7 +232,7 @@ fn no_sentence_contradicts_the_numbers() {
     every_quarter(|after, change| {
         let at = |name: ModeName| format!("{}, {name:?}, {:?}", after.scenario().aircraft.key, change.edits);
         for mode in &change.modes {
-            let Some(reasons) = words::change::reasons(change, mode, LengthUnit::Metre) else { continue };
+            let Some(reasons) = words::change::reasons(change, mode, Convention::SI) else { continue };
             told += 1;
             assert!(reasons.more.len() <= 2, "{}: {reasons:?}", at(mode.name));
             let all: Vec<&String> = std::iter::once(&reasons.headline).chain(&reasons.more).collect();

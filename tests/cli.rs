@@ -68,6 +68,32 @@ fn rounding_keeps_nine_digits_and_everything_else() {
 }
 
 #[test]
+fn manual_and_completions_name_every_command() {
+    let help = answer(&["--help"]);
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let commands: Vec<&str> =
+        lines.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(commands.contains(&"analyse") && commands.contains(&"completions"), "{commands:?}");
+    assert!(!commands.contains(&"manual"), "only packages ask for it");
+    let folder = std::env::temp_dir().join(format!("eigenwing-manual-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    assert_eq!(answer(&["manual", folder.to_str().expect("a path")]), "");
+    let bash = answer(&["completions", "bash"]);
+    for command in commands.into_iter().filter(|command| *command != "help") {
+        let page = folder.join(format!("eigenwing-cli-{command}.1"));
+        let page = std::fs::read_to_string(&page).unwrap_or_else(|error| panic!("{command}: {error}"));
+        assert!(page.contains(".SH SYNOPSIS"), "{command}");
+        assert!(bash.contains(&format!(" {command} ")) || bash.contains(&format!("{command})")), "{command}");
+    }
+    std::fs::remove_dir_all(&folder).expect("it is ours");
+    for shell in ["zsh", "fish", "powershell"] {
+        assert!(answer(&["completions", shell]).contains("analyse"), "{shell}");
+    }
+    let missing = run(&["manual", "/nowhere/at/all"]);
+    assert_eq!(String::from_utf8_lossy(&missing.stderr).lines().count(), 1);
+}
+
+#[test]
 fn every_aircraft_of_the_list_is_listed_and_can_be_analysed() {
     let list = answer(&["list"]);
     for (file, _) in FILES {
@@ -132,6 +158,15 @@ fn analyse_matrices_from_json() {
 fn an_aircraft_file_from_disk_is_analysed_as_the_one_that_ships() {
     let from_disk = answer(&["analyse", "../../../assets/aircraft/navion.toml", "--json"]);
     assert_eq!(from_disk, answer(&["analyse", "navion", "--json"]));
+}
+
+#[test]
+fn a_folder_that_was_handed_in_graded_as_a_table_and_as_csv() {
+    for output in [None, Some("--csv")] {
+        let handed_in = ["grade", "../homework/week-3.md", "../homework/handed-in"];
+        let arguments: Vec<&str> = handed_in.into_iter().chain(output).collect();
+        insta::assert_snapshot!(answer(&arguments));
+    }
 }
 
 #[test]
@@ -336,7 +371,7 @@ fn bad_input_is_one_line_and_exit_code_1() {
         (&["respond", "lesson", "--disturbance", "side-gust"], "lesson has no lateral data"),
         (
             &["respond", "navion", "--disturbance", "gale"],
-            "there is no disturbance \"gale\"; expected one of elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release, mode",
+            "there is no disturbance \"gale\"; expected one of elevator, throttle, vertical-gust, head-gust, rudder, aileron, side-gust, turbulence, release, mode, pitch-command, speed-command, height-command, bank-command, yaw-rate-command, heading-command",
         ),
         (&["respond", "navion", "--steps", "0"], "steps: expected 1 to 100000, found 0"),
         (
@@ -377,7 +412,7 @@ fn bad_input_is_one_line_and_exit_code_1() {
         (&["analyse", "missing.toml"], "cannot read missing.toml: No such file or directory (os error 2)"),
         (
             &["analyse", "--matrix", "navion.txt"],
-            "navion.txt: expected a name that ends in .json, .csv or .m",
+            "cannot read navion.txt: No such file or directory (os error 2)",
         ),
         (&["analyse", &file("bad.toml", navion.replace("cond", "= cond").as_bytes())], "bad.toml, line 4: "),
         (
@@ -394,11 +429,11 @@ fn bad_input_is_one_line_and_exit_code_1() {
         ),
         (
             &["analyse", "--matrix", &file("no-units.m", matlab.replace("units", "in").as_bytes())],
-            "no-units.m, line 1: units: missing; expected \"SI\" (metres) or \"ft-slug-s\" (feet)",
+            "no-units.m, line 1: the file doesn’t say units (unit system of the file: SI or ft-slug-s; perhaps ft-slug-s)",
         ),
         (
             &["analyse", "--matrix", &file("binary.m", &[b'A', b'=', 0xff, 0xfe])],
-            "binary.m is not a text: byte 2 is not UTF-8",
+            "binary.m, line 1: A: expected plain numbers or quoted names, found \"ÿþ\"; nothing is computed here",
         ),
     ];
     for (arguments, expected) in cases {
@@ -473,9 +508,41 @@ fn a_motion_that_is_no_longer_small_is_marked_in_a_column_and_beside_the_csv() {
 fn lessons_are_checked_with_the_words_beside_them() {
     let said = answer(&["check", "../../../assets/lessons/longitudinal.md"]);
     assert_eq!(said, "../../../assets/lessons/longitudinal.md: holds what it promises\n");
+    // Of a lecture, how long it takes.
+    let lecture = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("lecture.md");
+    let text = "+++\ntitle = \"t\"\nlecture = true\n+++\n## a\n```scene\nlink = \"#v=1&ac=navion\"\n```\n\
+                ```notes 2.5 min\n30 s of silence\n```\n## b\n";
+    std::fs::write(&lecture, text).expect("a file");
+    let lecture = lecture.display().to_string();
+    let expected = "holds what it promises; a lecture of 2.5 min in 2 slides, 1 of them without minutes";
+    assert_eq!(answer(&["check", &lecture]), format!("{lecture}: {expected}\n"));
     // No lesson at all, as front matter tells.
     let Output { status, stderr, .. } = run(&["check", "../../../README.md"]);
     assert_eq!(status.code(), Some(1));
     let expected = "error: ../../../README.md, line 1: expected front matter, which begins with a line +++\n";
     assert_eq!(String::from_utf8_lossy(&stderr), expected);
+}
+
+#[test]
+fn tables_are_in_feet_where_they_are_wanted_and_programs_get_si() {
+    let parameters = answer(&["parameters", "navion", "--units", "ft"]);
+    assert!(
+        parameters.lines().any(|line| line.trim_start().starts_with("speed ") && line.contains("ft/s")),
+        "{parameters}"
+    );
+    let analysis = answer(&["analyse", "navion", "--set", "speed=60", "--units", "ft"]);
+    assert!(analysis.contains("speed = 196.9 ft/s") && analysis.contains("1/(ft·s)"), "{analysis}");
+    assert!(answer(&["analyse", "#v=1&ac=navion&units=ft"]).contains("1/(ft·s)"), "a link tells them");
+    assert!(answer(&["analyse", "#v=1&ac=navion&units=ft", "--units", "si"]).contains("1/(m·s)"));
+    let motion = answer(&["respond", "navion", "--units", "ft"]);
+    assert!(motion.contains("[ft/s]") && motion.contains("[deg]") && !motion.contains("[rad]"), "{motion}");
+    let sweep =
+        ["sweep", "navion", "--parameter", "speed", "--from", "30.48", "--to", "60.96", "--points", "2"];
+    let swept = answer(&[&sweep[..], &["--measure", "phugoid.period", "--units", "ft"]].concat());
+    assert!(
+        swept.contains("speed [ft/s]") && swept.lines().any(|line| line.trim_start().starts_with("200")),
+        "{swept}"
+    );
+    let refused = run(&["analyse", "navion", "--units", "ft", "--json"]);
+    assert_eq!(refused.status.code(), Some(2));
 }

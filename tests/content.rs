@@ -214,7 +214,7 @@ fn a_malformed_file_names_file_line_field_and_what_was_expected() {
             "\"100 ft\"\n",
             "\"furlong\"\n",
             "length_unit",
-            "length_unit: expected \"m\" or \"100 ft\"",
+            "length_unit: expected \"m\" or \"ft\" or \"100 ft\"",
         ),
     ] {
         let (line, wanted, message) = broken(file, from, to, at);
@@ -309,7 +309,7 @@ fn the_units_of_the_matrix_change_no_eigenvalue() {
             };
             let us = nalgebra::Matrix4::from_fn(|i, j| model.a[(i, j)] / lengths[i] * lengths[j]);
             let (si, us) = (eigen(&model.a).expect("it solves"), eigen(&us).expect("it solves"));
-            for (x, y) in si.values.iter().zip(us.values) {
+            for (x, y) in si.values.iter().zip(&us.values) {
                 assert!((x - y).norm() <= 1e-9 * y.norm().max(1e-3), "{file}: {x} and {y}");
             }
         }

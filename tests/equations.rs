@@ -1,24 +1,14 @@
 //! The equations as they are written: true of the matrices that are computed, of every aircraft and after any edit.
 
-use std::sync::Arc;
-
-use eigenwing::content::embedded_aircraft;
 use eigenwing::findings::Findings;
 use eigenwing::findings::equations::{COLUMNS, Factor, ROWS, STATES};
 use eigenwing::flight::aircraft::plane::Plane;
-use eigenwing::scenario::{Parameter, Scenario};
+use eigenwing::scenario::{Convention, Parameter, Scenario};
 use nalgebra::{Complex, Matrix4};
 
-/// Every aircraft in each plane that it has data of.
-fn scenarios() -> Vec<Scenario> {
-    let aircraft = embedded_aircraft().0.into_iter().map(Arc::new);
-    let in_planes = aircraft.flat_map(|aircraft| {
-        let of = |plane: Plane| Scenario { plane, ..Scenario::new(aircraft.clone()) };
-        let has = |plane: &Plane| aircraft.plane_notes[*plane].is_some();
-        Plane::ALL.into_iter().filter(has).map(of).collect::<Vec<_>>()
-    });
-    in_planes.collect()
-}
+mod every_plane;
+
+use every_plane::scenarios;
 
 fn named(key: &str) -> Scenario {
     scenarios().into_iter().find(|scenario| scenario.aircraft.key == key).expect("an aircraft of the list")
@@ -165,7 +155,7 @@ fn entries_are_written_in_the_notation_of_the_field() {
     let text = |key: &str, plane: Plane, row: usize, column: usize| {
         let findings = Findings::of(Scenario { plane, ..named(key) });
         let form = findings.equations().and_then(|equations| equations.form(row, column));
-        form.map(|form| form.text()).unwrap_or_default()
+        form.map(|form| form.text(Convention::SI)).unwrap_or_default()
     };
     let lon = |row, column| text("navion", Plane::Longitudinal, row, column);
     assert_eq!(lon(0, 2), "X_q − W_0");

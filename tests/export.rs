@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use eigenwing::content::{FILES, MatrixFormat};
 use eigenwing::export::{
-    self, ExportError, PlaneOutcome, PlaneReport, Report, ResponseReport, ResponseRequest, Subject, Sweep,
-    SweepRequest, json, list, parameters_of,
+    self, ExportError, PlaneOutcome, PlaneReport, Report, ResponseReport, ResponseRequest, Scene, Subject,
+    Sweep, SweepRequest, json, list, parameters_of,
 };
-use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::key::Keyed;
-use eigenwing::scenario::{Scenario, Source};
+use eigenwing::scenario::Source;
 use serde_json::{Value, json};
 
 fn keys() -> impl Iterator<Item = &'static str> {
@@ -18,15 +17,15 @@ fn keys() -> impl Iterator<Item = &'static str> {
 }
 
 fn analyse(subject: &Subject) -> Result<Report, ExportError> {
-    export::analyse(&Findings::of(subject.scenario()?))
+    export::analyse(&subject.scene()?)
 }
 
 fn respond(subject: &Subject, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
-    export::respond(&subject.scenario()?, request)
+    export::respond(&subject.scene()?, request)
 }
 
-fn navion() -> Scenario {
-    Subject::listed("navion").scenario().expect("the Navion")
+fn navion() -> Scene {
+    Subject::listed("navion").scene().expect("the Navion")
 }
 
 fn plane(outcome: &Option<PlaneOutcome>) -> Option<&PlaneReport> {
@@ -91,6 +90,19 @@ fn assert_no_null(value: &Value, path: &str) {
     }
 }
 
+/// A gain without which nothing follows a command.
+const fn listening_gain(source: Source) -> Option<&'static str> {
+    match source {
+        Source::PitchCommand => Some("k.theta_de"),
+        Source::SpeedCommand => Some("k.u_dt"),
+        Source::HeightCommand => Some("k.h_de"),
+        Source::BankCommand => Some("k.phi_da"),
+        Source::YawRateCommand => Some("k.r_dr"),
+        Source::HeadingCommand => Some("k.psi_da"),
+        _ => None,
+    }
+}
+
 #[test]
 fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
     for aircraft in list() {
@@ -105,7 +117,8 @@ fn every_disturbance_of_every_aircraft_in_every_shape_gives_numbers() {
                     ..ResponseRequest::default()
                 };
                 // Short: an unoptimised build takes its time.
-                let set = vec![("time".to_owned(), 4.0)];
+                let mut set = vec![("time".to_owned(), 4.0)];
+                set.extend(listening_gain(source).map(|gain| (gain.to_owned(), 1e-3)));
                 let response = respond(&Subject { set, ..Subject::listed(&aircraft.key) }, &request);
                 let can_be = Plane::ALL.iter().any(|plane| {
                     let has_data = aircraft.planes.contains(&plane.key());
@@ -173,7 +186,7 @@ fn what_has_a_name_has_a_key_beside_it() {
     let approximation = &lateral.approximations[0];
     assert_eq!((approximation.key, approximation.mode_key), ("dutch-roll-two-states", "dutch-roll"));
     let sweep = Sweep::new(
-        Subject::listed("navion").scenario().expect("it flies"),
+        navion(),
         &SweepRequest {
             parameter: "cm_alpha".to_owned(),
             from: -0.8,
@@ -263,7 +276,7 @@ fn a_request_in_json_gives_what_the_functions_give() {
 fn a_request_that_makes_no_sense_is_told_so_in_a_sentence() {
     for (request, sentence) in [
         ("", "the request can't be read: EOF while parsing a value at line 1 column 0"),
-        ("{}", "the request names no aircraft; expected aircraft, toml or matrices"),
+        ("{}", "the request names no aircraft; expected aircraft, link, toml or matrices"),
         (r#"{"aircraft": 7}"#, "the request can't be read: invalid type: integer `7`, expected a string"),
         (
             r#"{"aircraft": "navion", "sett": {}}"#,
@@ -271,7 +284,7 @@ fn a_request_that_makes_no_sense_is_told_so_in_a_sentence() {
         ),
         (
             r#"{"aircraft": "navion", "toml": ""}"#,
-            "expected one of aircraft, toml and matrices, and format beside matrices only",
+            "expected one of aircraft, link, toml and matrices, toml also beside a link, and format beside matrices only",
         ),
         (r#"{"matrices": ""}"#, "format: missing; expected \"json\", \"csv\" or \"m\" beside matrices"),
         (

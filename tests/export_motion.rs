@@ -6,18 +6,17 @@ use eigenwing::export::{
     ExportError, FlightOutcome, FrequencyReport, FrequencyRequest, ModeReport, PlaneOutcome, ResponseReport,
     ResponseRequest, Signal, Source, SplitOutcome, Subject, analyse, json, list, respond,
 };
-use eigenwing::findings::Findings;
 use serde_json::Value;
 
 /// The motion of an aircraft with parameters set.
 fn motion(key: &str, set: &[(&str, f64)], request: &ResponseRequest) -> ResponseReport {
     let set = set.iter().map(|&(key, value)| (key.to_owned(), value)).collect();
-    let scenario = Subject { set, ..Subject::listed(key) }.scenario().expect("an aircraft of the list");
-    respond(&scenario, request).expect("a motion")
+    let scene = Subject { set, ..Subject::listed(key) }.scene().expect("an aircraft of the list");
+    respond(&scene, request).expect("a motion")
 }
 
 fn frequency(subject: &Subject, request: &FrequencyRequest) -> Result<FrequencyReport, ExportError> {
-    eigenwing::export::frequency(&subject.scenario()?, request)
+    eigenwing::export::frequency(&subject.scene()?, request)
 }
 
 fn disturbed_by(disturbance: &str, shape: &str) -> ResponseRequest {
@@ -51,7 +50,7 @@ fn the_parts_of_the_modes_and_the_rest_add_up_to_each_output() {
     for (key, disturbance, shape) in
         [("navion", "elevator", "doublet"), ("navion", "side-gust", "1-cosine"), ("x15", "rudder", "3-2-1-1")]
     {
-        let request = ResponseRequest { split: true, ..disturbed_by(disturbance, shape) };
+        let request = ResponseRequest { split: Some(true), ..disturbed_by(disturbance, shape) };
         let report = motion(key, &[("time", 10.0)], &request);
         let splits = report.split.as_deref().expect("a split was asked for");
         assert_eq!(splits.len(), report.outputs.len());
@@ -73,7 +72,7 @@ fn the_parts_of_the_modes_and_the_rest_add_up_to_each_output() {
 #[test]
 fn an_output_without_a_split_says_why_and_leaves_the_others_alone() {
     // det A = g (Z_u M_w − Z_w M_u) is zero without Z_u and M_u: a mode at zero, whose part in the path is like drift.
-    let request = ResponseRequest { split: true, ..ResponseRequest::default() };
+    let request = ResponseRequest { split: Some(true), ..ResponseRequest::default() };
     let report = motion("lesson", &[("a_wu", 0.0), ("a_qu", 0.0), ("time", 5.0)], &request);
     for split in report.split.as_deref().expect("a split was asked for") {
         match split {
@@ -89,7 +88,7 @@ fn an_output_without_a_split_says_why_and_leaves_the_others_alone() {
 #[test]
 fn a_small_disturbance_flown_without_linearising_is_the_linear_motion() {
     for name in ["elevator", "rudder"] {
-        let request = ResponseRequest { nonlinear: true, ..disturbed_by(name, "step") };
+        let request = ResponseRequest { nonlinear: Some(true), ..disturbed_by(name, "step") };
         let report = motion("navion", &[(name, 1e-4), ("time", 5.0)], &request);
         let flight = report.nonlinear.as_ref().and_then(FlightOutcome::flight).expect("a flight");
         assert_eq!((&flight.time, &flight.stop), (&report.time, &None));
@@ -106,7 +105,7 @@ fn a_small_disturbance_flown_without_linearising_is_the_linear_motion() {
 
 #[test]
 fn a_flight_that_stops_ends_with_a_sentence_and_before_its_next_sample() {
-    let request = ResponseRequest { nonlinear: true, steps: Some(60), ..ResponseRequest::default() };
+    let request = ResponseRequest { nonlinear: Some(true), steps: Some(60), ..ResponseRequest::default() };
     let report = motion("navion", &[("elevator", -0.25), ("time", 6.0)], &request);
     let flight = report.nonlinear.as_ref().and_then(FlightOutcome::flight).expect("a flight");
     let stop = flight.stop.as_ref().expect("the wing stalls");
@@ -120,7 +119,8 @@ fn a_flight_that_stops_ends_with_a_sentence_and_before_its_next_sample() {
 #[test]
 fn the_page_on_javascript_tells_the_motion_of_its_example() {
     let page = include_str!("../docs/JAVASCRIPT.md");
-    let request = ResponseRequest { nonlinear: true, split: true, ..disturbed_by("elevator", "step") };
+    let request =
+        ResponseRequest { nonlinear: Some(true), split: Some(true), ..disturbed_by("elevator", "step") };
     let report = motion("navion", &[("elevator", -0.25)], &request);
     let peak = report.metrics.peak_load_factor.expect("a peak");
     let told =
@@ -140,9 +140,9 @@ fn the_page_on_javascript_tells_the_motion_of_its_example() {
 fn what_cannot_be_flown_says_so_and_still_moves() {
     let file = include_str!("data/matrices/lateral.csv").to_owned();
     let source = Source::Matrices { file: "lateral.csv".to_owned(), text: file, format: MatrixFormat::Csv };
-    let request = ResponseRequest { nonlinear: true, ..ResponseRequest::default() };
-    let scenario = Subject { source, ..Subject::listed("") }.scenario().expect("bare matrices");
-    let report = respond(&scenario, &request).expect("a linear motion");
+    let request = ResponseRequest { nonlinear: Some(true), ..ResponseRequest::default() };
+    let scene = Subject { source, ..Subject::listed("") }.scene().expect("bare matrices");
+    let report = respond(&scene, &request).expect("a linear motion");
     let Some(FlightOutcome::Refused { error }) = &report.nonlinear else { panic!("{:?}", report.nonlinear) };
     assert!(error.starts_with("this aircraft is given by its matrices"), "{error}");
     assert!(largest(values(&report.outputs, "phi")) > 0.0);
@@ -155,8 +155,8 @@ fn every_aircraft_is_split_and_flown_in_numbers_or_says_why_not() {
             let request = ResponseRequest {
                 plane: Some((*plane).to_owned()),
                 steps: Some(20),
-                nonlinear: true,
-                split: true,
+                nonlinear: Some(true),
+                split: Some(true),
                 ..ResponseRequest::default()
             };
             let report = motion(&aircraft.key, &[("time", 4.0)], &request);
@@ -179,8 +179,8 @@ fn metrics_do_not_depend_on_how_many_samples_are_asked_for() {
 }
 
 fn phugoid(key: &str) -> ModeReport {
-    let scenario = Subject::listed(key).scenario().expect("an aircraft of the list");
-    let report = analyse(&Findings::of(scenario)).expect("an analysis");
+    let scene = Subject::listed(key).scene().expect("an aircraft of the list");
+    let report = analyse(&scene).expect("an analysis");
     let modes = &report.longitudinal.as_ref().and_then(PlaneOutcome::report).expect("its plane").modes;
     modes.iter().find(|mode| mode.key == "phugoid").expect("a phugoid").clone()
 }
@@ -326,7 +326,7 @@ fn a_steady_value_beyond_the_linear_model_is_not_told() {
     let report = |elevator: f64| {
         let subject = Subject { set: vec![("elevator".to_owned(), elevator)], ..Subject::listed("navion") };
         let request = ResponseRequest { shape: Some("step".to_owned()), ..ResponseRequest::default() };
-        respond(&subject.scenario().expect("an aircraft"), &request).expect("a motion").metrics
+        respond(&subject.scene().expect("an aircraft"), &request).expect("a motion").metrics
     };
     let (near, far) = (report(0.01), report(-0.25));
     assert!(!near.steady_is_beyond && near.outputs[0].steady.is_some());

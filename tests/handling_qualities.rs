@@ -369,7 +369,7 @@ fn a_growing_root_is_never_passed_over_in_silence() {
                 let what = format!("{} {} at {share}", aircraft.key, parameter.key);
                 let overall = analysis.overall_level();
                 for plane in analysis.planes.iter().flatten().flatten() {
-                    let stiff = words::stability::static_sentence(plane, None, aircraft.length_unit);
+                    let stiff = words::stability::static_sentence(plane, None, scenario.convention());
                     for mode in plane.modes.iter().filter(|mode| mode.stability == Stability::Unstable) {
                         growing += 1;
                         let name = mode.naming.name;

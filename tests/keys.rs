@@ -12,7 +12,7 @@ use eigenwing::flight::motion::outputs::Output;
 use eigenwing::flight::verdicts::handling_qualities::Level;
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class, Criterion};
 use eigenwing::key::Keyed;
-use eigenwing::scenario::view::{Pane, StandardView, Tab};
+use eigenwing::scenario::view::{Look, Pane, StandardView, Tab};
 use eigenwing::scenario::{Page, Shape, Source};
 use eigenwing::words;
 
@@ -25,7 +25,7 @@ fn keys<T: Keyed + Debug>() -> Vec<&'static str> {
             let other = spellings.insert(spelling, value);
             assert!(other.is_none(), "{spelling} is {value:?} and {other:?}");
         }
-        assert_eq!(T::by_key(value.in_links()), Some(value));
+        assert_eq!(T::by_key(&value.in_links()), Some(value));
     }
     assert_eq!(T::by_key("no-such-key"), None);
     T::VALUES.iter().map(|value| value.key()).collect()
@@ -48,6 +48,7 @@ fn every_spelling_leads_to_one_value_and_keys_are_small_letters_digits_and_hyphe
         keys::<Tab>(),
         keys::<Pane>(),
         keys::<StandardView>(),
+        keys::<Look>(),
     ];
     for key in written_by_us.iter().flatten() {
         let is_of_key = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
@@ -70,16 +71,27 @@ fn a_mode_and_a_level_are_found_by_their_words_too() {
     assert_eq!(ModeName::by_key("DUTCH ROLL"), Some(ModeName::DutchRoll));
 }
 
+/// What links wrote before they and requests had one vocabulary.
 #[test]
-fn links_and_requests_understand_each_other() {
-    for (link, request, source) in [
+fn links_write_the_words_of_requests_and_both_read_the_older_ones() {
+    let sources = [
         ("gust", "vertical-gust", Source::VerticalGust),
         ("head_gust", "head-gust", Source::HeadGust),
         ("side_gust", "side-gust", Source::SideGust),
-    ] {
-        assert_eq!((source.in_links(), source.key()), (link, request));
+    ];
+    let shapes = [("3211", "3-2-1-1", Shape::ThreeTwoOneOne), ("1-cos", "1-cosine", Shape::OneMinusCosine)];
+    fn check<T: Keyed + Debug>((older, key, value): (&str, &str, T)) {
+        assert_eq!((value.key(), value.in_links().as_str()), (key, key));
+        assert_eq!(T::by_key(older), Some(value), "{older}");
     }
-    assert_eq!((Shape::ThreeTwoOneOne.in_links(), Shape::ThreeTwoOneOne.key()), ("3211", "3-2-1-1"));
-    assert_eq!((Shape::OneMinusCosine.in_links(), Shape::OneMinusCosine.key()), ("1-cos", "1-cosine"));
-    assert_eq!(Plane::ALL.map(Keyed::in_links), ["lon", "lat"]);
+    sources.into_iter().for_each(check);
+    shapes.into_iter().for_each(check);
+    check(("figures", "metrics", Tab::Metrics));
+    check(("lon", "longitudinal", Plane::Longitudinal));
+    check(("lat", "lateral", Plane::Lateral));
+    // Small letters only, for an address.
+    assert_eq!(
+        (Class::IICarrier.in_links(), Category::ACombat.in_links()),
+        ("ii-c".to_owned(), "a-combat".to_owned())
+    );
 }

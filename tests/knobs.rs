@@ -297,6 +297,16 @@ fn a_larger_tail_stiffens_damps_and_lifts() {
         let (l, l0) = (c.longitudinal, reference.coefficients.longitudinal);
         assert!(l.cm_q < l0.cm_q && l.cm_alpha < l0.cm_alpha && l.cl_alpha > l0.cl_alpha, "{key}");
         assert!(l.cm_alphadot < l0.cm_alphadot, "{key}");
+        // Its lift acts on its arm, whatever makes it: the moment of each is −(l_t/c̄) times the lift.
+        let airframe = &reference.airframe;
+        let arm = airframe.tail.as_ref().expect("a tail").arm / airframe.c;
+        for (lift, moment) in [
+            (l.cl_alpha - l0.cl_alpha, l.cm_alpha - l0.cm_alpha),
+            (l.cl_q - l0.cl_q, l.cm_q - l0.cm_q),
+            (l.cl_alphadot - l0.cl_alphadot, l.cm_alphadot - l0.cm_alphadot),
+        ] {
+            assert!((moment + arm * lift).abs() < 1e-12 * (1.0 + moment.abs()), "{key}: {lift} {moment}");
+        }
         assert!((l.cm_de / l0.cm_de - 1.5).abs() < 1e-12, "{key}: elevator power goes with the area");
         assert!(margin(&c) > margin(&reference.coefficients), "{key}");
         // without a tail an eleventh of the damping is left, the wing's and body's

@@ -77,6 +77,23 @@ fn a_lesson_is_steps_with_text_questions_and_tasks() {
     assert_eq!((writing.ask.plain().as_str(), writing.line), ("Explain it to a pilot in two sentences.", 40));
 }
 
+#[test]
+fn a_lecture_has_notes_with_their_minutes() {
+    let lecture = LESSON
+        .replacen("needs = [\"frames\"]", "lecture = true", 1)
+        .replacen("## Faster", "```notes 3 min\nAsk *one of each side*.\n```\n```notes\n```\n## Faster", 1)
+        .replacen("```write", "``` notes  1.5 minutes \nWait for `= short_period.period`.\n```\n```write", 1);
+    let lecture = Lesson::read("bob.md", &lecture).expect("a lecture");
+    assert!(lecture.lecture);
+    let minutes: Vec<_> = lecture.steps.iter().map(|step| step.minutes()).collect();
+    assert_eq!((minutes, lecture.minutes()), (vec![Some(3.0), Some(1.5)], Some(4.5)));
+    let said: Vec<String> =
+        lecture.steps.iter().flat_map(|step| step.notes()).map(|notes| notes.text.plain()).collect();
+    assert_eq!(said, ["Ask one of each side.", "", "Wait for ."]);
+    let lesson = Lesson::read("bob.md", LESSON).expect("a lesson");
+    assert_eq!((lesson.lecture, lesson.minutes()), (false, None));
+}
+
 /// Each mistake: what is replaced, by what, and the sentence.
 #[test]
 fn each_mistake_has_its_sentence() {
@@ -88,7 +105,7 @@ fn each_mistake_has_its_sentence() {
         (
             "needs",
             "need",
-            "bob.md, line 3: need: not a field of this table; expected: title, about, language, needs, references",
+            "bob.md, line 3: need: not a field of this table; expected: title, about, language, needs, references, lecture",
         ),
         (
             "## A gust",
@@ -163,6 +180,62 @@ fn each_mistake_has_its_sentence() {
             "solution_after = 2",
             "solution_after = \"soon\"",
             "bob.md, line 33: solution_after: expected a number of tries or \"never\", found \"soon\"",
+        ),
+        (
+            "```write\n",
+            "```notes three minutes\n```\n```write\n",
+            "bob.md, line 40: expected minutes, such as ```notes 3 min, found \"three minutes\"",
+        ),
+        (
+            "```write\n",
+            "```notes -3 min\n```\n```write\n",
+            "bob.md, line 40: expected minutes, such as ```notes 3 min, found \"-3 min\"",
+        ),
+        (
+            "```write\n",
+            "```note 3 min\n```\n```write\n",
+            "bob.md, line 40: there is no block of a lesson \"note\"; did you mean \"notes\"?",
+        ),
+        (
+            "```write\n",
+            "```notes\n![one](a.png)\n```\n```write\n",
+            "bob.md, line 41: expected text, found a picture",
+        ),
+        ("needs", "lecture = 3\nneeds", "bob.md, line 3: lecture: expected true or false, found a number"),
+        (
+            "gust\"\n```",
+            "gust\"\nvary = { cm_alfa = [-0.9, -0.5] }\n```",
+            "bob.md, line 9: vary.cm_alfa: there is no parameter \"cm_alfa\"; did you mean \"cm_alpha\"?",
+        ),
+        (
+            "gust\"\n```",
+            "gust\"\nvary = { cm_alpha = [-0.5, -0.9] }\n```",
+            "bob.md, line 9: vary.cm_alpha: expected the least number and then the greatest, such as [-0.9, -0.5], found [-0.5, -0.9]",
+        ),
+        (
+            "gust\"\n```",
+            "gust\"\nvary = { cm_alpha = [-0.5] }\n```",
+            "bob.md, line 9: vary.cm_alpha: expected 2 numbers, found 1",
+        ),
+        (
+            "kind = \"choose\"",
+            "kind = \"choose\"\ntries = 1.5",
+            "bob.md, line 18: tries: expected a whole number, found 1.5",
+        ),
+        (
+            "kind = \"choose\"",
+            "kind = \"choose\"\npoints = -1",
+            "bob.md, line 18: points: expected a number of points, found -1",
+        ),
+        (
+            "solution_after = 2",
+            "unaided = \"yes\"",
+            "bob.md, line 33: unaided: expected true or false, found a text",
+        ),
+        (
+            "solution_after = 2",
+            "point = 2",
+            "bob.md, line 33: point: not a field of this table; expected: goal, offer, changes_at_most, points, unaided, solution_after, hints, solution, until",
         ),
         ("- one", "<b>one</b>", "bob.md, line 13: expected Markdown, found HTML"),
         ("- one", "![one](a.png)", "bob.md, line 13: expected text, found a picture"),

@@ -91,6 +91,28 @@ fn a_report_is_one_page_that_says_what_happened_and_carries_its_records() {
 }
 
 #[test]
+fn a_report_of_homework_tells_its_points_and_how_often_it_was_begun_again() {
+    let (course, aircraft) = (Course::default(), aircraft());
+    let source = ReportSource { course: &course, aircraft: &aircraft, address: "" };
+    let mut records = records();
+    assert!(!records.report(source).contains("point"), "a lesson without points says nothing of them");
+    let record = records.lessons.get_mut("own.md").expect("it is here");
+    record.files[0].text = LESSON.replacen("ask = ", "points = 2\nask = ", 1);
+    let report = records.report(source);
+    for said in ["2 of 2 steps done, 3 of 3 points", "Within 10 %. 2 of 2 points.", "1 of 1 point."] {
+        assert!(report.replace("</span>", "").contains(said), "{said} is not in {report}");
+    }
+    assert!(!report.contains("begun again"));
+    let record = records.lessons.get_mut("own.md").expect("it is here");
+    record.answers.at(Place { step: 0, part: 0 }).answer(Answer::Number(60.0));
+    record.begun_again = 2;
+    assert!(records.report(source).contains("1 of 3 points; begun again 2 times"));
+    let again = records.lessons["own.md"].begun_again();
+    assert_eq!((again.begun_again, again.answers.iter().count(), again.scenes.len()), (3, 0, 0));
+    assert_eq!(again.files, records.lessons["own.md"].files, "its file stays");
+}
+
+#[test]
 fn a_report_taken_up_elsewhere_adds_what_is_missing_and_loses_nothing() {
     let place = Place { step: 0, part: 0 };
     let mut here = records();
@@ -103,6 +125,92 @@ fn a_report_taken_up_elsewhere_adds_what_is_missing_and_loses_nothing() {
     assert!(here.lessons.contains_key("longitudinal"));
     let answer = here.lessons["own.md"].answers.get(place).and_then(Given::final_answer);
     assert_eq!(answer, Some(&Answer::Number(60.0)), "what is here stays");
+}
+
+/// The records of one lesson after something was done in it.
+fn after(records: &Records, doing: impl FnOnce(&mut Record)) -> Records {
+    let mut records = records.clone();
+    doing(records.lessons.get_mut("own.md").expect("it is here"));
+    records
+}
+
+#[test]
+fn what_is_done_in_the_same_lesson_on_two_pages_is_joined_whichever_stores_it_first() {
+    let (question, task) = (Place { step: 0, part: 0 }, Place { step: 1, part: 0 });
+    let mut begun = Record { title: "Of <my> own".to_owned(), seen: [0].into(), ..Record::default() };
+    begun.answers.at(question).answer = Some(Answer::Number(10.0));
+    let both = Records { lessons: [("own.md".to_owned(), begun)].into(), ..Records::default() };
+    let one = after(&both, |record| record.answers.at(question).answer(Answer::Number(28.0)));
+    let other = after(&both, |record| {
+        record.seen.insert(1);
+        *record.answers.at(task) = Given { hints: 1, tries: 3, reached: true, ..Given::default() };
+        record.scenes.insert(task, "v=1&ac=navion&cm_alpha=-2".to_owned());
+    });
+    assert!(one.adds_to(&other) && other.adds_to(&one), "each has something that the other hasn't");
+    for (first, second) in [(&one, &other), (&other, &one)] {
+        let mut joined = first.clone();
+        joined.join(second.clone());
+        let record = &joined.lessons["own.md"];
+        let given = record.answers.get(question).and_then(Given::final_answer);
+        assert_eq!(given, Some(&Answer::Number(28.0)), "the answer that is final");
+        let reached = Given { hints: 1, tries: 3, reached: true, ..Given::default() };
+        assert_eq!(record.answers.get(task), Some(&reached));
+        assert_eq!((record.seen.len(), record.scenes.len()), (2, 1));
+        // Then each is told of the other, and it is over.
+        assert!(!first.adds_to(&joined) && !second.adds_to(&joined));
+    }
+}
+
+#[test]
+fn of_two_pages_that_answer_otherwise_each_keeps_its_own_and_neither_writes_over_the_other_again() {
+    let place = Place { step: 0, part: 0 };
+    let answered =
+        |number| after(&records(), |record| record.answers.at(place).answer(Answer::Number(number)));
+    let (one, other) = (answered(28.0), answered(60.0));
+    assert!(!one.adds_to(&other) && !other.adds_to(&one));
+    let wrong = |times| {
+        let earlier = vec![Answer::Number(1.0); times];
+        after(&records(), |record| {
+            *record.answers.at(place) =
+                Given { earlier, answer: Some(Answer::Number(2.0)), ..Given::default() };
+        })
+    };
+    let mut joined = wrong(1);
+    joined.join(wrong(2));
+    let given = joined.lessons["own.md"].answers.get(place).expect("given").clone();
+    assert_eq!(given.earlier.len(), 2, "answers that were wrong count on every page");
+}
+
+#[test]
+fn a_lesson_begun_again_on_one_page_is_begun_again_on_the_other() {
+    let again = after(&records(), |record| *record = record.begun_again());
+    for (first, second) in [(again.clone(), records()), (records(), again.clone())] {
+        let mut joined = first;
+        joined.join(second);
+        let record = &joined.lessons["own.md"];
+        assert_eq!((record.begun_again, record.answers.is_empty(), record.scenes.len()), (1, true, 0));
+    }
+    // Another lesson in a file of the same name has nothing to do with this one.
+    let other = after(&again, |record| record.title = "Another".to_owned());
+    let mut joined = records();
+    joined.join(other.clone());
+    assert_eq!(joined, records());
+    assert!(!records().adds_to(&other), "and isn't written over it");
+}
+
+#[test]
+fn a_goal_that_was_reached_without_its_solution_stays_so() {
+    let task = Place { step: 1, part: 0 };
+    let given = |reached, solution_shown| {
+        let given = Given { reached, solution_shown, ..Given::default() };
+        after(&records(), |record| *record.answers.at(task) = given)
+    };
+    let (unaided, shown) = (given(true, false), given(false, true));
+    for (first, second) in [(unaided.clone(), shown.clone()), (shown, unaided)] {
+        let mut joined = first;
+        joined.join(second);
+        assert!(joined.lessons["own.md"].answers.get(task).is_some_and(Given::is_unaided));
+    }
 }
 
 #[test]

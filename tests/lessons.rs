@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use eigenwing::content::{Aircraft, embedded_aircraft};
-use eigenwing::lesson::{Lesson, Shelf};
+use eigenwing::lesson::{Kind, Lesson, Shelf};
 
 fn aircraft() -> Vec<Arc<Aircraft>> {
     embedded_aircraft().0.into_iter().map(Arc::new).collect()
@@ -37,6 +37,28 @@ fn every_lesson_holds_what_it_promises() {
     let faults: Vec<String> =
         lessons.iter().flat_map(|name| faults(name, &text(&format!("assets/lessons/{name}")))).collect();
     assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// What a projector has room for: a short title, one or two panes, one question with at most four short answers, two sentences.
+#[test]
+fn a_supplied_lecture_takes_45_minutes_and_each_slide_asks_one_question_in_large_type() {
+    for file in ["lecture-modes.md", "lecture-matrix.md"] {
+        let lesson = Lesson::read(file, &text(&format!("assets/lessons/{file}"))).expect("it holds");
+        assert!(lesson.lecture && lesson.minutes() == Some(45.0), "{file}: {:?}", lesson.minutes());
+        for step in &lesson.steps {
+            let title = &step.title;
+            let panes = step.scene.open(&aircraft()).expect("a scene").view.stage.parts().len();
+            let room = title.chars().count() <= 45 && (1..=2).contains(&panes);
+            assert!(room && step.notes().count() == 1, "{file}, {title}: {panes} panes");
+            let [question] = &step.predictions().collect::<Vec<_>>()[..] else {
+                panic!("{file}, {title}: expected one question")
+            };
+            if let Kind::Choose { choices, .. } = &question.kind {
+                let are_short = choices.iter().all(|choice| choice.says.plain().chars().count() <= 60);
+                assert!((3..=4).contains(&choices.len()) && are_short, "{file}, {title}: {choices:?}");
+            }
+        }
+    }
 }
 
 /// A lesson that holds, into which mistakes are put.

@@ -1,31 +1,24 @@
 //! A link is the whole scene: it reads back exactly, stays short, and opens whatever was done to it.
 
-use std::sync::{Arc, LazyLock};
+mod opened;
 
-use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
+use eigenwing::content::LengthUnit;
 use eigenwing::flight::aircraft::plane::{ByPlane, Plane};
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::flight::verdicts::mil_f_8785c::{Category, Class};
 use eigenwing::flight::verdicts::task::Task;
 use eigenwing::key::Keyed as _;
-use eigenwing::scenario::link::{self, LONGEST, Notice, Opened};
+use eigenwing::scenario::link::{self, LONGEST, Notice};
 use eigenwing::scenario::view::{
-    Camera, Details, Entries, EquationsView, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView,
-    StandardView, Tab, Turn, View,
+    Camera, ChartView, Details, Entries, EquationsView, FlightView, Instant, Look, Marks, Overlays, Pace,
+    Pane, ResponseView, StandardView, Tab, Turn, View,
 };
 use eigenwing::scenario::{
-    Dimension, Hidden, Lock, Page, Parameter, Part, Quantity, Scenario, Source, Stage, parameters,
+    Dimension, Hidden, Lock, Page, Parameter, Part, Scenario, Source, Stage, parameters,
 };
-use eigenwing::words;
+use opened::{AIRCRAFT, assert_sound, open};
 use proptest::prelude::*;
 use proptest::sample::Index;
-
-static AIRCRAFT: LazyLock<Vec<Arc<Aircraft>>> =
-    LazyLock::new(|| embedded_aircraft().0.into_iter().map(Arc::new).collect());
-
-fn open(link: &str) -> Opened {
-    link::read(link, &AIRCRAFT).expect("there are aircraft")
-}
 
 fn aircraft(key: &str) -> Scenario {
     let found = AIRCRAFT.iter().find(|aircraft| aircraft.key == key).expect("an aircraft of the list");
@@ -99,6 +92,16 @@ fn by_plane<T>((longitudinal, lateral): (T, T)) -> ByPlane<T> {
     ByPlane { longitudinal, lateral }
 }
 
+/// A measure over a slider, with lines of one's own.
+fn charts() -> impl Strategy<Value = ChartView> {
+    let sliders: Vec<&'static Parameter> = parameters().filter(|p| p.page.is_some()).collect();
+    let measures =
+        prop::sample::select(vec!["static_margin", "phugoid.period", "parameter.k.q_de", "peak.h"]);
+    let lines = prop::collection::vec(-1e3..1e3_f64, 0..=ChartView::MOST_LINES);
+    (measures, prop::option::of(prop::sample::select(sliders)), lines)
+        .prop_map(|(measure, over, lines)| ChartView { measure: measure.to_owned(), over, lines })
+}
+
 prop_compose! {
     fn views()(
         shown in (prop::sample::subsequence(Output::of(Plane::Longitudinal), 1..10), prop::sample::subsequence(Output::of(Plane::Lateral), 1..9)),
@@ -121,6 +124,8 @@ prop_compose! {
         turn in prop::option::of((-180_i16..=180, -90_i16..=90, -180_i16..=180)),
         entries in prop::sample::select(Entries::VALUES),
         coloured in prop::option::of(0_usize..4),
+        look in prop::option::of(prop::sample::select(Look::VALUES)),
+        charts in (charts(), charts()),
     ) -> (View, Index) {
         let usual = ResponseView::default();
         let turn = turn.map(|(psi, theta, phi)| Turn { psi, theta, phi });
@@ -136,14 +141,19 @@ prop_compose! {
             split,
             portraits: if usual_pairs { usual.portraits } else { by_plane((portraits(&pairs.0), portraits(&pairs.1))) },
             frequency_of: if usual_pairs { usual.frequency_of } else { by_plane((pairs.0[4], pairs.1[4])) },
+            cuts_second: by_plane((usual_pairs, nonlinear)),
+            chart: if usual_pairs { usual.chart } else { by_plane(charts) },
         };
         let overlays = if usual_overlays { Overlays::default() } else { overlays };
         let mut stage = Stage::with(parts).hiding(hidden).locking(locks);
         stage.type_size = type_size.map_or(1.0, |size| f64::from(size) / 100.0);
         let view = View {
             stage,
+            presents: playing,
+            look,
             page: Page::Matrix,
             maximised: pane,
+            shows_open: nonlinear != split,
             marks: Marks { approximations, levels },
             details: Details { shape, levels: of_levels, approximations: of_books },
             response,
@@ -227,31 +237,13 @@ proptest! {
     ) {
         let keys: Vec<&str> = parameters().map(|p| p.key)
             .chain(["v", "ac", "plane", "page", "tab", "lon.source", "lon.shape", "lat.gust", "lat.mode", "follows", "lon.show",
-                "lat.phase", "lon.frequency_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type", "lesson", "step", "turn", "entries", "coloured"]).collect();
+                "lat.phase", "lon.frequency_of", "lat.loop_of", "split", "marks", "details", "pane", "camera", "drawn", "rate", "loop", "class", "category", "stage", "offer", "hide", "lock", "type", "lesson", "step", "turn", "entries", "coloured"]).collect();
         let pieces = pieces.iter().map(|(key, prefix, value)| {
             format!("{}{}={value}", ["", "add.", "pin.", "pin.add."][*prefix], key.get(&keys))
         });
         let link = pieces.collect::<Vec<_>>().join("&");
         assert_sound(&open(&link), &link);
     }
-}
-
-/// Finite, within what may be typed, and itself a scene that a link carries without loss.
-fn assert_sound(opened: &Opened, link: &str) {
-    for scenario in [Some(&opened.scenario), opened.pinned.as_ref()].into_iter().flatten() {
-        for p in parameters() {
-            let value = p.added(scenario).unwrap_or_else(|| p.get(scenario));
-            assert!(value.is_finite(), "{} = {value} from {link}", p.key);
-        }
-    }
-    for notice in &opened.notices {
-        let sentence = notice.to_string();
-        assert!(sentence.ends_with('.') && sentence.chars().count() < 250, "{sentence}");
-    }
-    let again = open(&link::write(&opened.scenario, &opened.view, opened.pinned.as_ref()));
-    assert_eq!((&again.scenario, &again.view), (&opened.scenario, &opened.view), "{link}");
-    assert_eq!(again.pinned, opened.pinned, "{link}");
-    assert_eq!(again.notices, [], "{link}");
 }
 
 /// An aircraft, ten edited numbers, a disturbance, the state before it pinned, and the panes as an instructor sets them.
@@ -423,205 +415,6 @@ fn no_scene_is_too_long_for_a_link() {
     assert_eq!((opened.scenario, opened.view, opened.notices), (scene, view, vec![]));
 }
 
-/// What `tests/links.txt` says.
-struct Line {
-    link: &'static str,
-    values: Vec<(&'static str, &'static str)>,
-    notices: Vec<&'static str>,
-}
-
-fn corpus() -> Vec<Line> {
-    let lines = include_str!("links.txt").lines().filter(|line| !line.is_empty() && !line.starts_with("//"));
-    lines
-        .map(|line| {
-            let (link, meaning) = line.split_once(" -> ").expect("link -> what it means");
-            let mut parts = meaning.split(" | ").map(str::trim);
-            let values = parts.next().unwrap_or_default().split(", ").filter(|value| !value.is_empty());
-            let values = values.map(|value| value.split_once('=').expect("key=value")).collect();
-            Line { link: link.trim(), values, notices: parts.collect() }
-        })
-        .collect()
-}
-
-/// A disturbance by the words that it had when the list of links began.
-fn as_ever(choice: &str) -> &str {
-    if choice == "Initial state" { "Released from" } else { choice }
-}
-
-fn assert_value(opened: &Opened, key: &str, expected: &str, link: &str) {
-    let pinned = key.strip_prefix("pin.");
-    let scenario = match pinned {
-        Some(_) => opened.pinned.as_ref().expect("a pinned state"),
-        None => &opened.scenario,
-    };
-    let of_plane = |plane| {
-        format!(
-            "{} of {}",
-            as_ever(&words::disturbance::choice(&scenario.disturbance.choices[plane])),
-            scenario.disturbance.choices[plane].mode + 1
-        )
-    };
-    let View { response, flight, .. } = &opened.view;
-    let found = match pinned.unwrap_or(key) {
-        "ac" => scenario.aircraft.key.clone(),
-        "plane" => format!("{:?}", scenario.plane).to_lowercase(),
-        "class" => scenario.task.map_or("none", |task| task.class.key()).to_owned(),
-        "category" => scenario.task.map_or("none", |task| task.category.key()).to_owned(),
-        "lon" => of_plane(Plane::Longitudinal),
-        "lat" => of_plane(Plane::Lateral),
-        "page" => words::sliders::page(opened.view.page).to_owned(),
-        "tab" => match response.tab {
-            // As the link has always called it.
-            Tab::Metrics => "Figures".to_owned(),
-            tab => format!("{tab:?}"),
-        },
-        "nonlinear" => response.nonlinear.to_string(),
-        "follows" => scenario.disturbance.follows.to_string(),
-        // Everything but the page of sliders and the tab.
-        "sight" => {
-            let ResponseView { tab, nonlinear, .. } = *response;
-            let usual = View::of(&opened.scenario);
-            let response = ResponseView { tab, nonlinear, ..usual.response };
-            let usual = View { page: opened.view.page, response, ..usual };
-            format!("{:?}", opened.view == usual)
-        }
-        "shown" => {
-            let keys = |outputs: &Vec<Output>| {
-                outputs.iter().map(|output| Quantity::of(*output).key).collect::<Vec<_>>().join(" ")
-            };
-            response.shown.iter().map(keys).collect::<Vec<_>>().join(" / ")
-        }
-        "portraits" => {
-            let pair = |(across, upward): &(Output, Output)| {
-                format!("{} over {}", Quantity::of(*upward).key, Quantity::of(*across).key)
-            };
-            response.portraits.iter().flatten().map(pair).collect::<Vec<_>>().join(" / ")
-        }
-        "frequency of" => {
-            let keys = response.frequency_of.iter().map(|output| Quantity::of(*output).key);
-            keys.collect::<Vec<_>>().join(" / ")
-        }
-        "split" => response.split.to_string(),
-        "marks" => {
-            let Marks { approximations, levels } = opened.view.marks;
-            format!("{approximations} {levels}")
-        }
-        "details" => {
-            let Details { shape, levels, approximations } = opened.view.details;
-            format!("{shape} {levels} {approximations}")
-        }
-        "pane" => format!("{:?}", opened.view.maximised),
-        "stage" => opened.view.stage.parts().iter().map(|part| part.key()).collect::<Vec<_>>().join("."),
-        "offer" => opened.view.stage.offered.join("."),
-        "hide" => opened.view.stage.hidden().iter().map(|hidden| hidden.key()).collect::<Vec<_>>().join("."),
-        "lock" => opened.view.stage.locks().iter().map(|lock| lock.key()).collect::<Vec<_>>().join("."),
-        "locked" => opened.view.stage.locked.join("."),
-        "type" => opened.view.stage.type_size.to_string(),
-        "lesson" => opened.lesson.as_ref().map_or("none", |place| &place.address).to_owned(),
-        "step" => opened.lesson.as_ref().map_or(0, |place| place.step + 1).to_string(),
-        "begins" => opened.lesson.as_ref().is_some_and(|place| place.begins).to_string(),
-        "camera" => {
-            let Camera { azimuth, elevation, distance } = flight.camera;
-            let standard = StandardView::ALL.into_iter().find(|view| view.camera() == flight.camera);
-            let [azimuth, elevation] = [azimuth, elevation].map(|x| x.to_degrees().round());
-            standard.map_or_else(
-                || format!("{azimuth} {elevation} {}", (100.0 * distance).round()),
-                |standard| format!("{standard:?}"),
-            )
-        }
-        "drawn" => {
-            let Overlays { body_axes, earth_axes, angles, rates, forces, flow, path, moments, .. } =
-                flight.overlays;
-            let all = [body_axes, earth_axes, angles, rates, forces, flow, path, moments];
-            all.map(|on| if on { "1" } else { "0" }).concat()
-        }
-        "stability" => flight.overlays.stability_axes.to_string(),
-        "turn" => {
-            flight.turn.map_or("none".to_owned(), |Turn { psi, theta, phi }| format!("{psi} {theta} {phi}"))
-        }
-        "entries" => opened.view.equations.entries.key().to_owned(),
-        "coloured" => opened.view.equations.coloured.map_or("none".to_owned(), |mode| mode.to_string()),
-        "rate" => flight.pace.rate.to_string(),
-        "loop" => flight.pace.is_looping.to_string(),
-        "t" => flight.instant.time.to_string(),
-        "play" => flight.instant.is_playing.to_string(),
-        "pinned" => opened.pinned.is_some().to_string(),
-        "edited" => scenario.is_edited().to_string(),
-        key => {
-            let (p, expected) =
-                (row(key.trim_start_matches("add.")), expected.parse::<f64>().expect("a number"));
-            let found =
-                if key.starts_with("add.") { p.added(scenario).expect("an offset") } else { p.get(scenario) };
-            assert!(
-                (found - expected).abs() <= 1e-8 * expected.abs(),
-                "{key} is {found}, not {expected}: {link}"
-            );
-            return;
-        }
-    };
-    assert_eq!(found, expected, "{key}: {link}");
-}
-
-#[test]
-fn every_link_of_the_corpus_means_what_it_meant() {
-    for Line { link, values, notices } in corpus() {
-        let opened = open(link);
-        for (key, expected) in values {
-            assert_value(&opened, key, expected, link);
-        }
-        let told: Vec<String> = opened.notices.iter().map(Notice::to_string).collect();
-        assert_eq!(told.len(), notices.len(), "{link}: {told:#?}");
-        for notice in notices {
-            assert!(
-                told.iter().any(|sentence| sentence.contains(notice)),
-                "{link}: {notice} not in {told:#?}"
-            );
-        }
-        assert_sound(&opened, link);
-    }
-}
-
-#[test]
-fn the_corpus_has_every_key_and_every_aircraft() {
-    let corpus = corpus();
-    let pieces: Vec<&str> =
-        corpus.iter().filter(|line| line.notices.is_empty()).flat_map(|line| line.link.split('&')).collect();
-    for p in parameters() {
-        let start = format!("{}=", p.key);
-        let found = pieces.iter().any(|piece| piece.trim_start_matches("add.").starts_with(&start));
-        assert!(found, "no link with {}", p.key);
-    }
-    for aircraft in AIRCRAFT.iter() {
-        assert!(pieces.contains(&format!("ac={}", aircraft.key).as_str()), "no link with {}", aircraft.key);
-    }
-}
-
-#[test]
-fn a_damaged_link_opens_what_it_can() {
-    let (scene, view, pinned) = normal_scene();
-    let whole = link::write(&scene, &view, Some(&pinned));
-    let others = corpus().into_iter().map(|line| line.link.to_owned());
-    for (i, link) in [whole].into_iter().chain(others).enumerate() {
-        let letters: Vec<char> = link.chars().collect();
-        for at in 0..letters.len() {
-            let cut: String = letters[..at].iter().collect();
-            let mut swapped = letters.clone();
-            swapped.swap(at, (at + 1) % letters.len());
-            let mut lost = letters.clone();
-            lost.remove(at);
-            let mut changed = letters.clone();
-            changed[at] = ['%', '=', '&', '-', 'e', '\u{fffd}', '9'][(at + i) % 7];
-            for damaged in [cut, swapped.iter().collect(), lost.iter().collect(), changed.iter().collect()] {
-                let opened = open(&damaged);
-                assert!(AIRCRAFT.contains(&opened.scenario.aircraft));
-                if (at + i) % 11 == 0 {
-                    assert_sound(&opened, &damaged);
-                }
-            }
-        }
-    }
-}
-
 /// Whatever is left of a scene can be drawn or says why not, and no number of it is infinite.
 #[test]
 fn what_a_damaged_link_opens_can_be_analysed() {
@@ -651,15 +444,4 @@ fn the_list_of_keys_is_that_of_the_table() {
     }
     let written = include_str!("../docs/LINKS.md");
     assert!(written.ends_with(&list), "docs/LINKS.md should end with:\n{list}");
-}
-
-#[test]
-fn the_examples_of_the_documents_open_without_a_word() {
-    let texts = [include_str!("../docs/LINKS.md"), include_str!("../README.md")];
-    let examples: Vec<&str> =
-        texts.iter().flat_map(|text| text.lines()).filter(|line| line.starts_with("#v=")).collect();
-    assert!(examples.len() >= 3);
-    for example in examples {
-        assert_eq!(open(example).notices, [], "{example}");
-    }
 }

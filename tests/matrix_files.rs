@@ -7,7 +7,7 @@ use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
 use eigenwing::flight::modes::mode::{Mode, modes};
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::flight::modes::stability::Stability;
-use eigenwing::flight::motion::frequency_response::{frequency_response, peaks};
+use eigenwing::flight::motion::frequency_response::{frequency_response, peaks, transfer};
 use eigenwing::flight::motion::inputs::Input;
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::flight::motion::response::DrivenSystem;
@@ -244,9 +244,9 @@ fn a_mistake_is_one_sentence_with_its_line() {
             "mine, line 1: expected a row with the names of the states and inputs, found none",
         ),
         (
-            &MATLAB.replace("53.64, 0\n", "U0, 0\n"),
+            &MATLAB.replace("53.64, 0\n", "W0, 0\n"),
             Matlab,
-            "mine, line 9: A: expected plain numbers or quoted names, found \"U0\"; nothing is computed here",
+            "mine, line 9: A: expected plain numbers or quoted names, found \"W0\"; nothing is computed here",
         ),
         (
             &MATLAB.replace("0 0 1 0 ];", "0 0 1 0"),
@@ -371,7 +371,8 @@ fn an_undamped_phugoid_has_no_damping_and_a_peak_without_bound() {
     let forced = DrivenSystem::from_rest(model.a, model.b.column(0).into_owned(), unit);
     let row = Output::PitchAngle.row(&model, &forced);
     let points = frequency_response(&forced, &row, 0, (0.01, 100.0), 400);
-    let found = peaks(&forced, &row, 0, &points, &modes);
+    let value = |frequency: f64| transfer(&forced, &row, 0, frequency);
+    let found = peaks(&value, &points, &modes);
     let peak = found.iter().find(|peak| peak.mode == ModeName::Phugoid).expect("its peak");
     assert_eq!((peak.gain, peak.frequency), (None, phugoid.lambda.im));
 }

@@ -6,9 +6,9 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use eigenwing::content::{Aircraft, embedded_aircraft};
+use eigenwing::content::{Aircraft, LengthUnit, embedded_aircraft};
 use eigenwing::findings::Findings;
-use eigenwing::findings::measures::{Absence, Measure, Metric, Reading};
+use eigenwing::findings::measures::{Absence, LoopOf, Measure, Metric, Reading};
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::mode_name::ModeName;
 use eigenwing::flight::modes::stability::Stability;
@@ -117,7 +117,7 @@ fn every_measure_of_every_aircraft_is_finite_or_says_why_not() {
                     }
                     Ok(_) => read += 1,
                     Err(absence) => {
-                        let reason = words::measure::absence(&absence);
+                        let reason = words::measure::absence(&absence, LengthUnit::Metre);
                         assert!(reason.len() > 10 && !reason.ends_with('.'), "{reason}");
                         absent += 1;
                     }
@@ -165,7 +165,14 @@ fn documentation() -> String {
                 let quantity = key.split_once('.').map_or("", |(_, quantity)| quantity);
                 row(&format!("MODE.{quantity}"), &name.replace("of the short period", "of a mode"), unit);
             }
-            Measure::OfOutput(..) | Measure::OfParameter(_) => {}
+            Measure::OfLoop(LoopOf::Elevator, _) => {
+                row(
+                    &key.replace("elevator_loop", "LOOP"),
+                    &name.replace("the elevator loop", "a loop"),
+                    unit,
+                );
+            }
+            Measure::OfLoop(..) | Measure::OfOutput(..) | Measure::OfParameter(_) => {}
             Measure::OfAircraft(_) | Measure::OfPlane(..) => row(&key, &name, unit),
         }
     }
@@ -183,7 +190,12 @@ fn documentation() -> String {
     let modes: Vec<String> =
         ModeName::VALUES.iter().map(|name| format!("`{}`", name.key().replace('-', "_"))).collect();
     let outputs: Vec<String> = Output::VALUES.iter().map(|output| format!("`{}`", output.key())).collect();
-    text + &format!("\nMODE is one of {}.\n\nOUTPUT is one of {}.\n", modes.join(", "), outputs.join(", "))
+    let loops: Vec<String> = LoopOf::VALUES.iter().map(|of| format!("`{}`", of.key())).collect();
+    text += &format!("\nMODE is one of {}.\n\nOUTPUT is one of {}.\n", modes.join(", "), outputs.join(", "));
+    text + &format!(
+        "\nLOOP is one of {}: the loop of a control that a law of feedback moves, cut before its actuator.\n",
+        loops.join(", ")
+    )
 }
 
 #[test]

@@ -172,6 +172,7 @@ proptest! {
             a: Matrix4::from_row_slice(&entries),
             b: Matrix4x2::zeros(),
             trim: Trim { speed: 50.0, alpha0: 0.0, gamma0: 0.0, gravity: 9.8 },
+            further: None,
         };
         let modes = modes(&model).expect("modes");
         let roots: usize = modes.iter().map(|mode| if mode.is_oscillatory() { 2 } else { 1 }).sum();

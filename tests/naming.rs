@@ -188,6 +188,10 @@ fn marks(name: ModeName) -> (&'static [usize], &'static [&'static [usize]]) {
         RollSubsidence | RollDivergence => (&[1], &[YAW, &[3]]),
         Spiral => (&[3], &[YAW, &[1]]),
         ThirdOscillatory | LateralOscillation | LateralSubsidence | LateralDivergence => (&[], &[]),
+        Height | Heading | Washout | ElevatorActuator | Engine | AileronActuator | RudderActuator
+        | Position | FeedbackOscillation | FurtherState | FurtherOscillation => {
+            unreachable!("{name:?} is of no aircraft of four states")
+        }
     }
 }
 
@@ -205,6 +209,10 @@ fn claims(name: ModeName) -> (bool, Option<bool>) {
         }
         ShortPeriodFastRoot | ShortPeriodSlowRoot | PhugoidFastRoot | PhugoidSlowRoot => (false, Some(false)),
         DutchRollMoreStableRoot | DutchRollLessStableRoot | Spiral => (false, None),
+        Height | Heading | Washout | ElevatorActuator | Engine | AileronActuator | RudderActuator
+        | Position | FeedbackOscillation | FurtherState | FurtherOscillation => {
+            unreachable!("{name:?} is of no aircraft of four states")
+        }
     }
 }
 

@@ -184,7 +184,8 @@ fn the_peaks_are_the_short_period_and_the_dutch_roll() {
         let (motion, modes) = motion(&scenario(key, plane, source, Shape::Step));
         let row = output.row(&motion.model, &motion.forced);
         let points = frequency_response(&motion.forced, &row, 0, (0.01, 100.0), 400);
-        (peaks(&motion.forced, &row, 0, &points, &modes), modes)
+        let value = |frequency: f64| transfer(&motion.forced, &row, 0, frequency);
+        (peaks(&value, &points, &modes), modes)
     };
     let (found, modes) = peaks_of("navion", Plane::Lateral, Source::Rudder, Output::Sideslip);
     let dutch = found.iter().find(|peak| peak.mode == ModeName::DutchRoll).expect("a Dutch-roll peak");
@@ -207,7 +208,7 @@ fn on_paper(zeta: f64, wn: f64, amplitude: f64) -> (PlaneModel, Vec<Mode>, Drive
          0.0,  0.0,              1.0,       0.0,
     );
     let trim = Trim { speed: 10.0, alpha0: 0.0, gamma0: 0.0, gravity: STANDARD_GRAVITY };
-    let model = PlaneModel { plane: Plane::Longitudinal, a, b: Matrix4x2::zeros(), trim };
+    let model = PlaneModel { plane: Plane::Longitudinal, a, b: Matrix4x2::zeros(), trim, further: None };
     let modes = modes(&model).expect("modes");
     let column = Vector4::new(1.0, 0.0, wn * wn, 0.0);
     (model, modes, DrivenSystem::from_rest(a, column, Input::Step { amplitude, start: 1.0 }))

@@ -34,7 +34,13 @@ fn place(scenario: &Scenario, mode: &Mode, to: Complex<f64>, keys: &[&str]) -> P
     Findings::of(scenario.clone()).place_pole(mode, to, keys).expect("an answer")
 }
 
+/// Distance of the nearest pole as it flies.
 fn nearest(scenario: &Scenario, to: Complex<f64>) -> f64 {
+    if !scenario.law.is_open(scenario.plane) {
+        let findings = Findings::of(scenario.clone());
+        let distance = |mode: &Mode| (mode.lambda - to).norm().min((mode.lambda.conj() - to).norm());
+        return findings.flown_modes().iter().map(distance).fold(f64::INFINITY, f64::min);
+    }
     let models = scenario.edited.models().expect("models");
     let values =
         eigenvalues(&models.planes[scenario.plane].as_ref().expect("a model").a).expect("eigenvalues");
@@ -254,4 +260,40 @@ fn no_drag_gives_a_derivative_the_sign_that_no_aircraft_has() {
     let placed = place(&beyond, &driven, to, &["cm_alpha", "cm_q"]);
     assert_eq!(placed.obstacle, None);
     assert!(pitch_damping.get(&placed.scenario) > 0.0);
+}
+
+/// Under a law with washout and actuator too: the pole goes where it is wanted, by the gains alone, and the aircraft stays as it is.
+#[test]
+fn gains_place_the_poles_of_a_closed_loop() {
+    let mut placed_poles = 0;
+    for (key, law, gains) in [
+        ("b747-cruise-etkin", &[("k.r_dr", 0.8), ("actuator", 0.1)][..], ["k.r_dr", "k.beta_dr"]),
+        (
+            "b747-cruise-etkin",
+            &[("k.r_dr", 0.8), ("washout", 4.0), ("actuator", 0.1)],
+            ["k.r_dr", "k.beta_dr"],
+        ),
+        ("navion", &[("k.q_de", 0.1), ("actuator", 0.05)], ["k.q_de", "k.alpha_de"]),
+        // One that comes in with a state of its own.
+        ("navion", &[("k.theta_de", 0.3)], ["k.theta_de", "k.h_de"]),
+    ] {
+        let found = scenarios().into_iter().find(|scenario| scenario.aircraft.key == key);
+        let mut scenario = found.expect("an aircraft");
+        let of_gain = |key: &str| Parameter::find(key).expect("a row");
+        scenario.plane = of_gain(gains[0]).plane.expect("a plane");
+        for (key, value) in law {
+            of_gain(key).set(&mut scenario, *value);
+        }
+        let findings = Findings::of(scenario.clone());
+        let pair = findings.flown_modes().iter().find(|mode| mode.is_oscillatory()).expect("a pair");
+        for turn in [Complex::new(1.03, 0.0), Complex::new(1.0, 0.02), Complex::new(0.98, -0.01)] {
+            let to = pair.lambda * turn;
+            let placed = findings.place_pole(pair, to, &gains).expect("an answer");
+            assert_eq!(placed.obstacle, None, "{key} {to}");
+            assert!(nearest(&placed.scenario, to) < 1e-4 * to.norm(), "{key} {to}");
+            assert_eq!(placed.scenario.edited, scenario.edited);
+            placed_poles += 1;
+        }
+    }
+    assert_eq!(placed_poles, 12);
 }

@@ -261,6 +261,7 @@ fn assert_is_scipys(golden: &Value) {
         lateral: Vector4::zeros(),
         heading: 0.0,
         position: [0.0; 3],
+        servos: None,
     };
     let FlightPath { samples, stop, .. } = flight.fly(&excitation, TimeGrid { duration: 8.0, steps: 16 });
     assert_eq!(stop, None);

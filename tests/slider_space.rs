@@ -93,7 +93,7 @@ fn assert_whole(findings: &Findings) -> Result<(), TestCaseError> {
         prop_assert!(row.strengths.iter().flatten().all(|x| x.is_finite()), "{}", row.key);
     }
     let path = findings.locus(Parameter::find("a_ww").expect("a row"));
-    let mut poles = path.samples.iter().filter_map(|s| s.poles).flatten();
+    let mut poles = path.samples.iter().filter_map(|s| s.poles.as_ref()).flatten();
     prop_assert!(poles.all(|l| l.re.is_finite() && l.im.is_finite()));
     Ok(())
 }

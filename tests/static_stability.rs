@@ -212,11 +212,8 @@ fn a_positive_determinant_is_not_static_stability() {
         let found = pitch.static_stability;
         assert!(found.determinant > 0.0, "{key}");
         assert_eq!((found.verdict, found.of_determinant), (Stability::Unstable, Stability::Stable), "{key}");
-        let sentence = eigenwing::words::stability::static_sentence(
-            pitch,
-            analysis.margins,
-            scenario.aircraft.length_unit,
-        );
+        let sentence =
+            eigenwing::words::stability::static_sentence(pitch, analysis.margins, scenario.convention());
         assert!(sentence.starts_with("Statically unstable in pitch: "), "{sentence}");
         assert!(sentence.contains("det A is positive since two real roots grow"), "{sentence}");
     }

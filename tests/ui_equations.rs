@@ -208,3 +208,11 @@ fn entries_never_lie_on_each_other_however_narrow_the_page_is() {
         assert!(within.count() >= 12, "{width}");
     }
 }
+
+/// Y_v is no longer Y_v + Δ once something is added to the entry that it was.
+#[test]
+fn what_is_added_to_an_entry_makes_no_false_equation() {
+    let page = opened(WIDE, "v=1&ac=navion&plane=lateral&page=matrix&entries=full&add.a_vv=0.1");
+    assert!(page.query_all_by_label_contains("Yv + Δ = −0.15").next().is_some());
+    assert!(page.query_all_by_label_contains("Yv = Yv").next().is_none());
+}

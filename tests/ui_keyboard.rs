@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use egui::accesskit::{NodeId, Role};
 use egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use page::{PHONE, Page, WIDE, page, value};
+use page::{PHONE, Page, WIDE, app, open, page, value};
 
 /// What has the focus: its id, what it says, where it is.
 fn focused(page: &Page) -> Option<(NodeId, String, Rect)> {
@@ -75,7 +75,7 @@ fn the_tools_are_reached_in_the_order_of_reading() {
     page.run();
     let mut right = 0.0;
     // Undo and redo have nothing to do yet.
-    for name in ["Lessons", "Share link", "Pin this state", "theme", "Help"] {
+    for name in ["Lessons", "Present", "Share link", "Take the scene", "Pin this state", "theme", "Help"] {
         page.key_press(Key::Tab);
         page.run();
         let (_, label, rect) = focused(&page).expect("something has the focus");
@@ -157,5 +157,38 @@ fn space_plays_after_a_click_on_a_slider_and_page_keys_edit_nothing() {
     page.key_press(Key::Space);
     page.run();
     page.get_by_label("Play");
+    assert_eq!(value(&page, "cm_alpha"), before);
+}
+
+/// A machine that was put to sleep: the page's clock, which nobody can set, has gone on or has not.
+#[test]
+fn a_page_that_has_slept_for_an_hour_goes_on_where_it_was_and_undoes_what_was_done_before() {
+    let mut page = page(WIDE);
+    open(&mut page, "v=1&ac=navion&time=60");
+    let mut now = page.ctx.input(|input| input.time);
+    let mut frame = |page: &mut Page, after: f64| {
+        now += after;
+        page.input_mut().time = Some(now);
+        page.step();
+    };
+    page.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").focus();
+    frame(&mut page, 0.1);
+    let before = value(&page, "cm_alpha");
+    page.key_press(Key::ArrowRight);
+    frame(&mut page, 0.1);
+    let edited = value(&page, "cm_alpha");
+    assert_ne!(edited, before);
+    page.key_press(Key::Space);
+    for after in [0.1, 0.2, 3600.0, 0.2] {
+        frame(&mut page, after);
+    }
+    page.key_press(Key::Space);
+    frame(&mut page, 0.1);
+    let link = app(&page).link_with_instant();
+    let played = link.split('&').find_map(|piece| piece.strip_prefix("t=")).map(str::parse::<f64>);
+    let played = played.expect("it has played").expect("a number");
+    assert!((0.3..5.0).contains(&played), "{played}");
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    frame(&mut page, 0.1);
     assert_eq!(value(&page, "cm_alpha"), before);
 }

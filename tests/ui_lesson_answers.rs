@@ -317,6 +317,9 @@ fn a_task_tells_the_way_and_its_solution_comes_after_hints_and_tries() {
         "hints come first"
     );
     click(&mut harness, "Give me a hint");
+    // A hint is no try.
+    harness.get_by_label("A solution comes after 3 more tries.");
+    try_stiffness(&mut harness, 1);
     harness.get_by_label("A solution comes after 2 more tries.");
     // However many arrows, what is left as it is is one try.
     try_stiffness(&mut harness, 3);

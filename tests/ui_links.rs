@@ -94,8 +94,7 @@ fn a_link_opens_its_scene_and_undo_goes_back() {
     let mut harness = page(WIDE);
     let before = app(&mut harness).scenario().clone();
     let poles = app(&mut harness).findings().plane().expect("an analysis").modes[0].lambda;
-    let link =
-        "v=1&ac=b747-approach&cn_beta=0.2&plane=lat&lat.source=aileron&page=matrix&tab=figures&pin.ac=navion";
+    let link = "v=1&ac=b747-approach&cn_beta=0.2&plane=lateral&lat.source=aileron&page=matrix&tab=metrics&pin.ac=navion";
     open(&mut harness, link);
     assert_eq!(app(&mut harness).scenario().plane, Plane::Lateral);
     assert_ne!(app(&mut harness).findings().plane().expect("an analysis").modes[0].lambda, poles);

@@ -9,7 +9,7 @@ use eigenwing::export::{MetricsReport, PeakReport, ResponseRequest, Subject, res
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::motion::outputs::Output;
 use eigenwing::number::significant;
-use eigenwing::scenario::Quantity;
+use eigenwing::scenario::{Dimension, Quantity};
 use page::{Page, WIDE, app, open, page};
 
 /// A disturbance as a link has it, and as a request has it.
@@ -79,8 +79,8 @@ fn compare(
         shape: shape.map(str::to_owned),
         ..ResponseRequest::default()
     };
-    let scenario = subject.scenario().expect("an aircraft of the list");
-    let Ok(report) = respond(&scenario, &request) else { return false };
+    let scene = subject.scene().expect("an aircraft of the list");
+    let Ok(report) = respond(&scene, &request) else { return false };
     let set = set.map_or_else(String::new, |(key, value)| format!("&{key}={value}"));
     let link = format!("v=1&ac={aircraft}{set}&plane={}&{in_link}&time=60&tab=figures", &name[..3]);
     open(page, &link);
@@ -92,9 +92,10 @@ fn compare(
             shown.iter().position(|text| *text == row[0]).unwrap_or_else(|| panic!("{link}: no {}", row[0]));
         assert_eq!(&shown[at..at + row.len()], &row[..], "{link}");
     }
+    let of_page = |metres: f64| metres / Dimension::Length.in_si(length);
     let MetricsReport { phugoid_swing, time_to_bank, control_anticipation, .. } = report.metrics;
     for (value, words) in [
-        (phugoid_swing, "Height from the phugoid’s first turning point to its second: "),
+        (phugoid_swing.map(of_page), "Height from the phugoid’s first turning point to its second: "),
         (time_to_bank, "30° of bank after "),
         (
             control_anticipation,

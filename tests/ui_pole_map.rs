@@ -7,7 +7,7 @@ use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Tou
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::flight::modes::mode_name::ModeName;
-use eigenwing::scenario::Parameter;
+use eigenwing::scenario::{Notation, Parameter};
 use eigenwing::words;
 use nalgebra::Complex;
 use page::{PHONE, Page, WIDE, app, open, page, value};
@@ -280,7 +280,7 @@ fn an_approximation_is_marked_on_request_and_tells_its_formula_and_error() {
     let approximation = plane
         .approximations
         .iter()
-        .find(|a| words::approximation::formula(a.name) == notation)
+        .find(|a| words::approximation::formula(a.name, Notation::Velocities) == notation)
         .expect("two states");
     let (root, exact) = (approximation.root().expect("a root"), mode(&harness, ModeName::Phugoid).lambda);
     // Where the mark is, from the scale that the axis and the pole give.

@@ -143,7 +143,7 @@ fn a_legend_names_every_line_that_is_drawn_and_no_other() {
         harness.get_by_role_and_label(Role::Button, "Frequency").click();
         harness.run();
         let frequency = "Legend: linear, full line; pinned, dashed; ωₙ of the short period, upright line; \
-                         ωₙ of the phugoid, upright line";
+                         ωₙ of the phugoid, upright line; zero, ring";
         assert_eq!(legend(&harness), frequency);
         let node = harness.get_by_label(frequency).rect();
         assert!(node.left() >= 0.0 && node.right() <= size.x, "{size}: {node}");

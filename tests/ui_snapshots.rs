@@ -49,10 +49,11 @@ const PHONE: Vec2 = Vec2::new(390.0, 844.0);
 /// Between panes, and around them.
 const GAP: f32 = 10.0;
 
-fn page(size: Vec2, link: &'static str) -> Page {
-    let start = |ui: &egui::Ui| {
+fn page(size: Vec2, link: impl Into<String>) -> Page {
+    let link = link.into();
+    let start = move |ui: &egui::Ui| {
         let mut app = App::new(ui.ctx()).expect("an aircraft");
-        app.open(link);
+        app.open(&link);
         app
     };
     let rasterizer = Rasterizer::default();
@@ -167,6 +168,10 @@ fn responses(page: &Page) -> Rect {
     pane(page, "Response to", "response")
 }
 
+fn sliders(page: &Page) -> Rect {
+    window(page).with_max_x(poles(page).left()).with_min_y(poles(page).top())
+}
+
 fn aircraft(page: &Page) -> Rect {
     pane(page, "Aircraft", "aircraft")
 }
@@ -176,7 +181,7 @@ fn modes(page: &Page) -> Rect {
 }
 
 /// A page with the response over all of it.
-fn response_page(link: &'static str) -> Page {
+fn response_page(link: impl Into<String>) -> Page {
     let mut page = page(ONE_PANE, link);
     press(&mut page, Key::R);
     page
@@ -187,9 +192,7 @@ fn the_sliders_look_as_they_did() {
     let mut page = page(ALL_PANES, "v=1&ac=navion&cm_alpha=-0.45&cg=5&speed=60");
     page.get_by_role_and_label(Role::Slider, "pitch stiffness C_mα").focus();
     page.run();
-    compare("sliders", SCREENS, page, |page| {
-        window(page).with_max_x(poles(page).left()).with_min_y(poles(page).top())
-    });
+    compare("sliders", SCREENS, page, sliders);
 }
 
 #[test]
@@ -242,6 +245,29 @@ fn phase_portraits_look_as_they_did() {
 fn motion_over_frequency_looks_as_it_did() {
     let page = response_page("v=1&ac=navion&cm_alpha=-0.45&tab=frequency&pin.ac=navion");
     compare("response_frequency", SCREENS, page, responses);
+}
+
+/// A yaw damper with washout and actuator.
+const DAMPED: &str = "v=1&ac=b747-fc9&plane=lateral&k.r_dr=1.5&washout=3&actuator=0.1&page=feedback";
+
+#[test]
+fn a_law_of_feedback_looks_as_it_did() {
+    compare("feedback_sliders", SCREENS, page(ALL_PANES, DAMPED), sliders);
+    compare("feedback_poles", SCREENS, page(ALL_PANES, DAMPED), poles);
+}
+
+#[test]
+fn the_loops_of_a_law_look_as_they_did() {
+    for tab in ["loop", "nyquist", "gain-map"] {
+        let page = response_page(format!("{DAMPED}&tab={tab}"));
+        compare(&format!("feedback_{tab}"), SCREENS, page, responses);
+    }
+}
+
+#[test]
+fn a_chart_looks_as_it_did() {
+    let link = "v=1&ac=navion&tab=chart&lon.chart=short_period.damping_ratio&lon.over=cg&pin.ac=navion";
+    compare("response_chart", SCREENS, response_page(link), responses);
 }
 
 #[test]

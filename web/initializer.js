@@ -15,9 +15,15 @@ export default function initializer() {
     },
 
     onFailure: (reason) => {
-      // A program that arrived whole and then stopped is another matter than one that did not arrive.
-      const stopped = reason instanceof WebAssembly.RuntimeError;
-      window.dispatchEvent(new Event(stopped ? "eigenwing-failed" : "eigenwing-not-loaded"));
+      // A program that arrived whole and then stopped, or that this browser can't read, is another matter than one that did
+      // not arrive.
+      if (reason instanceof WebAssembly.CompileError) {
+        const detail = "Eigenwing needs a browser of 2023 or later.";
+        window.dispatchEvent(new CustomEvent("eigenwing-failed", { detail }));
+      } else {
+        const stopped = reason instanceof WebAssembly.RuntimeError;
+        window.dispatchEvent(new Event(stopped ? "eigenwing-failed" : "eigenwing-not-loaded"));
+      }
     },
   };
 }

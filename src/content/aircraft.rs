@@ -1,9 +1,12 @@
 //! An aircraft in one flight condition, as its file has it.
 
+use std::sync::Arc;
+
 pub use super::published::{Published, PublishedMode, Quantity};
 pub use super::reader::ContentError;
 use crate::flight::aircraft::aircraft_model::{AircraftModel, DerivativeModel, Models};
 use crate::flight::aircraft::plane::ByPlane;
+use crate::flight::motion::control_limits::NamedLimits;
 use crate::flight::verdicts::task::Task;
 use crate::key::keys;
 
@@ -12,6 +15,8 @@ use crate::key::keys;
 pub struct Aircraft {
     /// Short name for links and tests, never changed once published.
     pub key: String,
+    /// Text of its file, where it is a person's own and none of those that ship: what a link carries.
+    pub own: Option<Arc<str>>,
     /// Name on screen.
     pub name: String,
     /// Flight condition in words.
@@ -34,6 +39,8 @@ pub struct Aircraft {
     pub plane_notes: ByPlane<Option<PlaneNotes>>,
     /// Mass and geometry as far as the source has them, SI, for drawing and reading; the study computes with its own.
     pub particulars: Particulars,
+    /// Limits of its controls, where its file names any.
+    pub limits: NamedLimits,
     /// Class and flight-phase category of MIL-F-8785C, our assignment.
     pub task: Option<Task>,
     /// Remarks for a reader of the source: misprints, what is estimated, what is our assignment. A sentence or two each.
@@ -112,19 +119,23 @@ keys! {
 pub enum LengthUnit {
     /// Metre.
     Metre,
+    /// Foot.
+    Foot,
     /// Hundred feet, the hidden unit of the lesson's matrix.
     HundredFeet,
 }
 
 impl LengthUnit {
     /// The units by the name that a file gives them.
-    pub const NAMES: [(&'static str, Self); 2] = [("m", Self::Metre), ("100 ft", Self::HundredFeet)];
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("m", Self::Metre), ("ft", Self::Foot), ("100 ft", Self::HundredFeet)];
 
     /// Length of this unit in metres.
     pub const fn metres(self) -> f64 {
         match self {
             Self::Metre => 1.0,
             // 1 ft = 0.3048 m, exactly
+            Self::Foot => 0.3048,
             Self::HundredFeet => 30.48,
         }
     }
@@ -133,6 +144,7 @@ impl LengthUnit {
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Metre => "m",
+            Self::Foot => "ft",
             Self::HundredFeet => "100 ft",
         }
     }

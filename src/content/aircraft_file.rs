@@ -4,6 +4,7 @@ use nalgebra::{Matrix4, Matrix4x2, Vector4};
 
 use super::aircraft::{Aircraft, Baseline, LengthUnit, Particulars, PlaneNotes, Status};
 use super::airframe_file::{coefficient_model, derivative_model};
+use super::matrix_file::matrix_model;
 use super::published::read_published;
 use super::reader::{Block, ContentError, with_file};
 use super::shapes::{SHAPES, USUAL_SHAPE};
@@ -13,6 +14,7 @@ use crate::flight::aircraft::coefficients::Airframe;
 use crate::flight::aircraft::inertia::Inertia;
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::analysis::STANDARD_GRAVITY;
+use crate::flight::motion::control_limits::{Control, NamedLimits};
 use crate::flight::verdicts::mil_f_8785c::{Category, Class};
 use crate::flight::verdicts::task::Task;
 
@@ -21,20 +23,39 @@ use crate::flight::verdicts::task::Task;
 enum Basis {
     Coefficients,
     Derivatives,
+    Matrices,
 }
 
-const BASES: [(&str, Basis); 2] =
-    [("coefficients", Basis::Coefficients), ("derivatives", Basis::Derivatives)];
+const BASES: [(&str, Basis); 3] = [
+    ("coefficients", Basis::Coefficients),
+    ("derivatives", Basis::Derivatives),
+    ("matrices", Basis::Matrices),
+];
 
 impl Aircraft {
     /// Reads one aircraft from TOML text and converts it to SI; `file` is its name for messages.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, ContentError> {
         with_file(file, text, read)
     }
+
+    /// A person's own aircraft from TOML text, which it keeps.
+    pub fn own(file: &str, text: &str) -> Result<Self, ContentError> {
+        Ok(Self { own: Some(text.into()), ..Self::from_toml(file, text)? })
+    }
+}
+
+/// Key of what was changed on the aircraft since its source.
+const EDITS: &str = "edits";
+
+/// What an aircraft file says was changed on the aircraft, in the words and units of links.
+pub fn edits_in(text: &str) -> Option<String> {
+    let table: toml::Table = text.parse().ok()?;
+    table.get(EDITS)?.as_str().map(str::to_owned)
 }
 
 /// An aircraft from its file. A file with `length_unit` is one of bare matrices; others say their `basis`.
 fn read(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
+    file.optional_text(EDITS)?;
     let aircraft = if file.has("length_unit") { read_matrices(file)? } else { read_data(file)? };
     file.finish()?;
     Ok(aircraft)
@@ -52,35 +73,49 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         (Some(_), None) => return Err(file.error("class", "expected phase beside it: a level needs both")),
         (None, Some(_)) => return Err(file.error("phase", "expected class beside it: a level needs both")),
     };
+    let limits = read_limits(file)?;
     let source = file.text("source")?;
     let mut notes = Vec::from_iter(file.optional_text("note")?);
 
-    let mut longitudinal = file.block("longitudinal")?;
     let mut lateral = file.optional_block("lateral")?;
-    let plane_notes = ByPlane {
-        longitudinal: Some(read_notes(&mut longitudinal, &source)?),
-        lateral: lateral.as_mut().map(|block| read_notes(block, &source)).transpose()?,
+    // Matrices may be of lateral motion alone.
+    let mut longitudinal = match basis {
+        Basis::Matrices if lateral.is_some() => file.optional_block("longitudinal")?,
+        _ => Some(file.block("longitudinal")?),
     };
-    let (aircraft_model, particulars, data_notes) = match basis {
-        Basis::Coefficients => coefficient_model(file, units, &mut longitudinal, lateral.as_mut())?,
-        Basis::Derivatives => derivative_model(file, units, &mut longitudinal, lateral.as_mut())?,
+    let notes_of = |block: Option<&mut Block<'_>>| block.map(|block| read_notes(block, &source)).transpose();
+    let plane_notes =
+        ByPlane { longitudinal: notes_of(longitudinal.as_mut())?, lateral: notes_of(lateral.as_mut())? };
+    let (aircraft_model, particulars, data_notes) = match (basis, &mut longitudinal) {
+        (Basis::Coefficients, Some(longitudinal)) => {
+            coefficient_model(file, units, longitudinal, lateral.as_mut())?
+        }
+        (Basis::Derivatives, Some(longitudinal)) => {
+            derivative_model(file, units, longitudinal, lateral.as_mut())?
+        }
+        (_, longitudinal) => {
+            let (aircraft_model, particulars) = matrix_model(units, longitudinal.as_mut(), lateral.as_mut())?;
+            (aircraft_model, particulars, Vec::new())
+        }
     };
     let doubt = inertia_doubt(&aircraft_model);
     notes.extend(data_notes);
     notes.extend(doubt.clone());
-    longitudinal.finish()?;
-    lateral.as_ref().map_or(Ok(()), Block::finish)?;
+    for block in [&longitudinal, &lateral].into_iter().flatten() {
+        block.finish()?;
+    }
 
-    let models = aircraft_model.models().map_err(|problem| longitudinal.error_here(problem))?;
+    let models = aircraft_model.models().map_err(|problem| file.error_here(problem))?;
     if let Some(problem) = models.problems.first() {
         return Err(file.error_here(problem));
     }
-    if models.planes.longitudinal.is_none() {
-        return Err(longitudinal.error_here("no model follows from it"));
+    if let (Some(block), None) = (&longitudinal, &models.planes.longitudinal) {
+        return Err(block.error_here("no model follows from it"));
     }
     let verified = plane_notes.iter().flatten().all(|plane| plane.status == Status::Verified);
     Ok(Aircraft {
         key,
+        own: None,
         name,
         condition,
         shape,
@@ -94,6 +129,7 @@ fn read_data(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         aircraft_model,
         plane_notes,
         particulars,
+        limits,
         task,
         notes,
     })
@@ -123,6 +159,32 @@ fn joined<'t>(sentences: impl Iterator<Item = &'t str>) -> String {
     let mut all: Vec<&str> = sentences.collect();
     all.dedup();
     all.join(" ")
+}
+
+/// The block `[limits]`, which a file may have: reach and rate of each control, in degrees, of the throttle in its own unit; in the
+/// senses of [`crate::flight`].
+fn read_limits(file: &mut Block<'_>) -> Result<NamedLimits, ContentError> {
+    const KEYS: [(&str, &str); 4] = [
+        ("elevator_deg", "elevator_rate_deg"),
+        ("throttle", "throttle_rate"),
+        ("aileron_deg", "aileron_rate_deg"),
+        ("rudder_deg", "rudder_rate_deg"),
+    ];
+    let mut limits = NamedLimits::default();
+    let Some(mut block) = file.optional_block("limits")? else { return Ok(limits) };
+    for (control, (range, rate)) in Control::ALL.into_iter().zip(KEYS) {
+        let unit = if control == Control::Throttle { 1.0 } else { 1_f64.to_radians() };
+        if block.has(range) {
+            let [low, high] = block.row::<2>(range)?;
+            if !(low <= 0.0 && 0.0 <= high && low < high) {
+                return Err(block.error(range, "expected the lowest and the highest, with zero between them"));
+            }
+            limits.ranges[control as usize] = Some([low, high].map(|x| x * unit));
+        }
+        limits.rates[control as usize] = block.optional_positive(rate)?.map(|rate| rate * unit);
+    }
+    block.finish()?;
+    Ok(limits)
 }
 
 /// A key goes into links: small letters, digits and hyphens.
@@ -174,7 +236,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     let b_elevator = Vector4::from(b).component_mul(&scale);
     let b = Matrix4x2::from_columns(&[b_elevator, Vector4::zeros()]);
     let trim = Trim { speed: u0 * l, alpha0: 0.0, gamma0: 0.0, gravity: STANDARD_GRAVITY };
-    let model = PlaneModel { plane: Plane::Longitudinal, a, b, trim };
+    let model = PlaneModel { plane: Plane::Longitudinal, a, b, trim, further: None };
     let aircraft_model = AircraftModel::Matrices(MatrixModel { longitudinal: Some(model), lateral: None });
     let baseline = Baseline::new(&aircraft_model);
     if let Some(problem) = baseline.models.problems.first() {
@@ -182,6 +244,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     }
     Ok(Aircraft {
         key,
+        own: None,
         name,
         condition,
         shape,
@@ -201,6 +264,7 @@ fn read_matrices(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
         aircraft_model,
         baseline,
         particulars: Particulars { speed: Some(u0 * l), ..Particulars::default() },
+        limits: NamedLimits::default(),
         task: None,
         notes: Vec::new(),
     })

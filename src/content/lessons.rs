@@ -6,7 +6,7 @@ use super::TextFile;
 /// Names of the files, and outside a browser their texts.
 macro_rules! files {
     ($($name:literal),* $(,)?) => {
-        /// Names of the files: lessons in the order in which they are offered, the glossary, the references.
+        /// Names of the files: lessons in the order in which they are offered, lectures, the glossary, the references.
         pub const NAMES: &[&str] = &[$($name),*];
 
         /// The files as they were built in; `None` in a browser.
@@ -24,7 +24,10 @@ files! {
     "longitudinal.md",
     "lateral.md",
     "workshop.md",
+    "loop.md",
     "hangar.md",
+    "lecture-modes.md",
+    "lecture-matrix.md",
     "glossary.toml",
     "references.toml",
 }

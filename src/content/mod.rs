@@ -4,8 +4,10 @@
 pub mod aircraft;
 mod aircraft_file;
 mod airframe_file;
+pub mod import;
 pub mod lessons;
 mod matrix;
+mod matrix_file;
 mod published;
 pub(crate) mod reader;
 mod shape_file;
@@ -14,6 +16,7 @@ mod text_file;
 mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};
+pub use aircraft_file::edits_in;
 pub use matrix::MatrixFormat;
 pub use text_file::{NotText, TextFile};
 

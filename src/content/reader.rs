@@ -2,6 +2,7 @@
 //!
 //! Total: any text gives a value or a [`ContentError`].
 
+use nalgebra::DMatrix;
 use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 
@@ -284,6 +285,35 @@ impl<'t> Block<'t> {
             })
             .collect::<Result<_, _>>()
             .map(Some)
+    }
+
+    /// `rows` rows of `columns` finite numbers, if the key is there.
+    pub fn optional_table(
+        &mut self,
+        key: &'t str,
+        rows: usize,
+        columns: usize,
+    ) -> Result<Option<DMatrix<f64>>, ContentError> {
+        let expected = format!("{rows} rows of {columns} numbers");
+        let Some(value) = self.ask(key) else { return Ok(None) };
+        let list = value.as_array().ok_or_else(|| self.wrong(key, &expected, value))?;
+        if list.len() != rows {
+            return Err(self.error(key, format_args!("expected {expected}, found {} rows", list.len())));
+        }
+        let mut table = DMatrix::zeros(rows, columns);
+        for (i, row) in list.iter().enumerate() {
+            let row = self.list(key, row.get_ref())?;
+            if row.len() != columns {
+                let found = row.len();
+                return Err(
+                    self.error(key, format_args!("expected {expected}, found a row of {found} numbers"))
+                );
+            }
+            for (j, entry) in row.into_iter().enumerate() {
+                table[(i, j)] = entry;
+            }
+        }
+        Ok(Some(table))
     }
 
     /// A table inside, if the key is there.

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::flight::modes::approximations::{Approximation, ModeValue};
 use crate::key::Keyed;
+use crate::scenario::Notation;
 use crate::words;
 
 /// A textbook approximation beside the exact mode.
@@ -23,7 +24,7 @@ pub struct ApproximationReport {
     /// Its formula.
     pub formula: &'static str,
     /// Terms and motions that it leaves out.
-    pub neglects: &'static str,
+    pub neglects: String,
     /// Its result; null where it gives none.
     pub value: Option<ValueReport>,
     /// The exact mode; null where the aircraft has none.
@@ -54,8 +55,8 @@ pub enum ValueReport {
 }
 
 impl ApproximationReport {
-    /// An approximation as it is told.
-    pub fn of(approximation: &Approximation) -> Self {
+    /// An approximation as it is told, in a notation.
+    pub fn of(approximation: &Approximation, notation: Notation) -> Self {
         let value = |value: ModeValue| match value {
             ModeValue::SecondOrder { natural_frequency, damping_ratio } => {
                 ValueReport::SecondOrder { natural_frequency, damping_ratio }
@@ -65,10 +66,10 @@ impl ApproximationReport {
         Self {
             mode: words::mode::title(approximation.name.concerns()),
             mode_key: approximation.name.concerns().key(),
-            name: words::approximation::name(approximation.name),
+            name: words::approximation::name(approximation.name, notation),
             key: approximation.name.key(),
-            formula: words::approximation::formula(approximation.name),
-            neglects: words::approximation::neglects(approximation.name),
+            formula: words::approximation::formula(approximation.name, notation),
+            neglects: words::approximation::neglects(approximation.name, notation).into_owned(),
             value: approximation.value.map(value),
             exact: approximation.exact.map(value),
             error: approximation.error(),

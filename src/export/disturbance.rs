@@ -1,12 +1,13 @@
 //! The disturbance that a request chooses. Its size is a parameter of the table: `elevator`, `gust`, `part` and so on, and `time` for
 //! how long the motion is watched.
 
-use super::subject::ExportError;
+use super::error::ExportError;
 use crate::findings::{Findings, Problem};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode_name::ModeName;
+use crate::flight::motion::outputs::Output;
 use crate::key::{Keyed, nearest};
-use crate::scenario::{Parameter, Scenario, Shape, Source, parameters};
+use crate::scenario::{Parameter, Scenario, Shape, Source};
 
 /// Sets plane and disturbance, one of `sources`; `what` they are, in a message. Without a name it stays that of the page.
 pub(super) fn choose_disturbance(
@@ -75,7 +76,11 @@ pub(super) fn choose_mode(
     let choice = &mut scenario.disturbance.choices[scenario.plane];
     if let Some(name) = name {
         let wanted = ModeName::by_key(name);
-        choice.mode = modes.iter().position(|mode| Some(*mode) == wanted).ok_or_else(|| {
+        let by_name = modes.iter().position(|mode| Some(*mode) == wanted);
+        // By its number, as in links.
+        let by_number =
+            || (1..=modes.len()).find(|number| number.to_string() == name).map(|number| number - 1);
+        choice.mode = by_name.or_else(by_number).ok_or_else(|| {
             let keys = modes.iter().map(|mode| mode.key()).collect::<Vec<_>>().join("\", \"");
             ExportError::Request(format!("there is no mode \"{name}\" here; expected \"{keys}\""))
         })?;
@@ -84,11 +89,11 @@ pub(super) fn choose_mode(
 }
 
 /// Refuses a size that is set although the disturbance doesn't have it: it would be ignored.
-pub(super) fn check_sizes(scenario: &Scenario) -> Result<(), ExportError> {
+pub(super) fn check_sizes(scenario: &Scenario, sizes: &[&'static Parameter]) -> Result<(), ExportError> {
     let choice = &scenario.disturbance.choices[scenario.plane];
     let mut own = choice.parameters(scenario.plane);
     own.extend(["times", "time"]);
-    let Some(Parameter { key, name, .. }) = set_sizes(scenario).find(|size| !own.contains(&size.key)) else {
+    let Some(Parameter { key, name, .. }) = sizes.iter().find(|size| !own.contains(&size.key)) else {
         return Ok(());
     };
     let (plane, source) = (scenario.plane.key(), choice.source.key());
@@ -100,19 +105,34 @@ pub(super) fn check_sizes(scenario: &Scenario) -> Result<(), ExportError> {
     )))
 }
 
+/// Refuses a command that no gain listens to: nothing would move.
+pub(super) fn check_command(scenario: &Scenario, source: Source) -> Result<(), ExportError> {
+    let plane = scenario.plane;
+    match source.command().map(Output::commanded) {
+        Some(output) if !scenario.law.listens_to(plane, output) => {
+            let controls = match plane {
+                Plane::Longitudinal => ["de", "dt"],
+                Plane::Lateral => ["da", "dr"],
+            };
+            let [first, second] = controls.map(|control| format!("k.{}_{control}", output.key()));
+            Err(ExportError::Request(format!(
+                "{}: nothing listens to a command of {} without a gain of it; set {first} or {second}",
+                source.key(),
+                output.key()
+            )))
+        }
+        Some(_) | None => Ok(()),
+    }
+}
+
 /// Refuses every size that is set, where nothing is disturbed.
-pub(super) fn check_no_sizes(scenario: &Scenario) -> Result<(), ExportError> {
-    match set_sizes(scenario).next() {
+pub(super) fn check_no_sizes(sizes: &[&'static Parameter]) -> Result<(), ExportError> {
+    match sizes.first() {
         Some(Parameter { key, name, .. }) => Err(ExportError::Request(format!(
             "{key} ({name}) sizes a disturbance, which has no part in this answer; only \"respond\" uses it"
         ))),
         None => Ok(()),
     }
-}
-
-/// The sizes of disturbances that are set.
-fn set_sizes(scenario: &Scenario) -> impl Iterator<Item = &'static Parameter> {
-    parameters().filter(|parameter| parameter.is_of_disturbance() && parameter.is_edited(scenario))
 }
 
 /// Error of a scenario without motion: the plane has no data, or its data no model.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::subject::ExportError;
+use super::error::ExportError;
 use crate::findings::Findings;
 use crate::findings::measures::{Measure, Reading};
 use crate::key::{Keyed, nearest};
@@ -48,12 +48,13 @@ impl MeasureValue {
 impl MeasureReport {
     fn of(measure: Measure, findings: &Findings) -> Self {
         let read = measure.read(findings);
+        let length = findings.scenario().units.length_of_reports();
         Self {
             key: measure.key(),
             name: words::measure::name(measure),
             unit: measure.dimension().si_symbol(),
             value: read.as_ref().ok().copied().map(MeasureValue::of),
-            absent: read.err().map(|absence| words::measure::absence(&absence)),
+            absent: read.err().map(|absence| words::measure::absence(&absence, length)),
         }
     }
 }

@@ -1,26 +1,38 @@
-//! What other programs ask and read. A [`Subject`] is an aircraft as they name it, and ends at a
-//! [`Scenario`](crate::scenario::Scenario): all else answers a request about that, for the command line and JavaScript alike.
+//! What other programs ask and read. A [`Subject`] is an aircraft as they name it, or a link, and ends at a
+//! [`Scene`]: all else answers a request about that, for the command line and JavaScript alike.
 //! SI and radians, and every number finite or null.
 
 mod aircraft;
 mod approximation;
+mod class_answers;
+mod closed_loop;
 mod disturbance;
+mod document;
+mod error;
+mod event;
+mod figure;
 mod flown;
 mod frequency;
 pub mod json;
 mod lesson_report;
 mod level;
+mod link;
 mod list;
 mod measures;
+mod message;
 mod metrics;
 mod mode;
+mod page;
 mod plane;
 mod report;
 mod respond;
+mod scene;
+mod script;
 mod signal;
 mod split;
 mod subject;
 mod sweep;
+mod take_along;
 #[cfg(test)]
 mod typescript;
 mod why;
@@ -38,23 +50,33 @@ use crate::words;
 
 pub use aircraft::AircraftReport;
 pub use approximation::{ApproximationReport, ValueReport};
-pub use flown::{FlightOutcome, FlightReport, StopReport};
-pub use frequency::{FREQUENCIES, FrequencyReport, FrequencyRequest, GainPeak, Measured, frequency};
+pub use class_answers::{ClassSource, class_answers};
+pub use closed_loop::{LeastGainReport, LoopModeReport, LoopMotion, LoopOutcome, LoopReport, MarginsReport};
+pub use error::ExportError;
+pub use event::{Event, Spot};
+pub use flown::{FlightOutcome, FlightReport, LimitReport, StopReport};
+pub use frequency::{
+    FREQUENCIES, FrequencyReport, FrequencyRequest, GainPeak, Measured, TransferReport, frequency, gain_unit,
+};
 pub use lesson_report::ReportSource;
 pub use level::{JudgedReport, LevelReport, OverallLevelReport};
+pub use link::{DisturbanceRequest, LinkReport, link_to};
 pub use list::{ParameterReport, list, parameters_of};
 pub use measures::{MeasureReport, MeasureValue, measures_of};
+pub use message::{Message, Request};
 pub use metrics::{MetricsReport, OutputMetricsReport, PeakReport};
 pub use mode::ModeReport;
-pub use plane::{PlaneReport, StaticReport, StiffnessReport, TrimReport};
+pub use plane::{PlaneReport, StaticReport, StiffnessReport, TrimReport, WholeReport};
 pub use report::{PlaneOutcome, Report, Units, analyse};
 pub use respond::{ResponseReport, ResponseRequest, respond};
+pub use scene::Scene;
 pub use signal::Signal;
 pub use split::{PartReport, SplitOutcome, SplitReport};
-pub use subject::{ExportError, Source, Subject};
+pub use subject::{Source, Subject};
 pub use sweep::{
     MOST_POINTS, Sweep, SweepChange, SweepMode, SweepPlane, SweepPoint, SweepReport, SweepRequest,
 };
+pub use take_along::{TakenAlong, Target, take_along};
 pub use why::{CauseReport, MovedReport, ShiftReport, WhyMode, WhyPlane, WhyReport, why};
 
 /// The scenario and its analysis, SI and radians; an analysis that failed is a sentence.

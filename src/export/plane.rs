@@ -4,16 +4,18 @@ use nalgebra::Complex;
 use serde::Serialize;
 
 use super::approximation::ApproximationReport;
+use super::closed_loop::LoopOutcome;
 use super::level::LevelReport;
 use super::mode::ModeReport;
 use crate::flight::Channel;
-use crate::flight::aircraft::plane::Trim;
+use crate::flight::aircraft::plane::{PlaneModel, Trim};
 use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::feedback::closed_model::ClosedModel;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
 use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness};
 use crate::key::Keyed;
-use crate::scenario::Quantity;
+use crate::scenario::{Notation, Quantity};
 
 /// The analysis of one plane of motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -42,6 +44,23 @@ pub struct PlaneReport {
     pub approximations: Vec<ApproximationReport>,
     /// Handling qualities after MIL-F-8785C, where the aircraft has a class.
     pub levels: Vec<LevelReport>,
+    /// A and B of all states of the source, where it has more than these four; null otherwise.
+    pub whole: Option<WholeReport>,
+    /// The same plane under the law of feedback and with all states of its source; null where nothing is fed back and the source has
+    /// four. All else is of the four states without a law.
+    pub closed_loop: Option<LoopOutcome>,
+}
+
+/// A model with states beside the four, or under a law of feedback.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "WholeModel"))]
+pub struct WholeReport {
+    /// Keys of the states, the four first: `h`, `x`, `psi`, `y`, `elevator` and other controls, `engine`, `other`.
+    pub states: Vec<&'static str>,
+    /// State matrix, row by row.
+    pub a: Vec<Vec<f64>>,
+    /// Input matrix, row by row: a control that is a state is commanded.
+    pub b: Vec<[f64; 2]>,
 }
 
 /// A steady flight.
@@ -99,8 +118,8 @@ pub enum StiffnessReport {
 }
 
 impl PlaneReport {
-    /// The report of an analysis.
-    pub fn of(analysis: &PlaneAnalysis) -> Self {
+    /// The report of an analysis, without what follows under a law; formulas are in a notation, matrices in u, w, q, θ and v, p, r, φ.
+    pub fn of(analysis: &PlaneAnalysis, notation: Notation) -> Self {
         let PlaneAnalysis { model, modes, dynamic_stability, static_stability, approximations, levels } =
             analysis;
         let Trim { speed, alpha0, gamma0, gravity } = model.trim;
@@ -120,8 +139,33 @@ impl PlaneReport {
             modes: modes.iter().map(ModeReport::of).collect(),
             dynamic_stability: dynamic_stability.key(),
             static_stability: StaticReport::of(static_stability),
-            approximations: approximations.iter().map(ApproximationReport::of).collect(),
+            approximations: approximations.iter().map(|one| ApproximationReport::of(one, notation)).collect(),
             levels: levels.iter().map(LevelReport::of).collect(),
+            whole: model.further.as_ref().map(|_| WholeReport::of(model)),
+            closed_loop: None,
+        }
+    }
+}
+
+impl WholeReport {
+    fn of(model: &PlaneModel) -> Self {
+        let four = Output::states(model.plane).map(Keyed::key);
+        let (a, b) = (model.whole_a(), [0, 1].map(|input| model.whole_b(input)));
+        Self {
+            states: four.into_iter().chain(model.further_states().iter().map(|state| state.key())).collect(),
+            a: a.row_iter().map(|row| row.iter().copied().collect()).collect(),
+            b: (0..a.nrows()).map(|k| [b[0][k], b[1][k]]).collect(),
+        }
+    }
+
+    /// The same under a law of feedback, with the states that it appends.
+    pub(super) fn under_law(closed: &ClosedModel) -> Self {
+        let four = Output::states(closed.model.plane).map(Keyed::key);
+        let b = closed.commands();
+        Self {
+            states: four.into_iter().chain(closed.appended.iter().map(|state| state.key())).collect(),
+            a: closed.a.row_iter().map(|row| row.iter().copied().collect()).collect(),
+            b: b.row_iter().map(|row| [row[0], row[1]]).collect(),
         }
     }
 }

@@ -3,14 +3,17 @@
 use serde::Serialize;
 
 use super::aircraft::AircraftReport;
+use super::closed_loop::LoopOutcome;
 use super::disturbance::check_no_sizes;
+use super::error::ExportError;
 use super::level::OverallLevelReport;
 use super::plane::PlaneReport;
-use super::subject::{ExportError, set_on};
+use super::scene::Scene;
+use super::subject::set_on;
 use crate::findings::Findings;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
 use crate::flight::{Analysis, AnalysisError};
-use crate::words;
+use crate::words::{self, Told};
 
 /// The analysis of an aircraft.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -26,6 +29,8 @@ pub struct Report {
     /// Values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: std::collections::BTreeMap<String, f64>,
+    /// What of the link can't be used, in sentences; none without a link.
+    pub notices: Vec<String>,
     /// Longitudinal motion, x = \[u, w, q, θ\]; null where the aircraft has no data of it.
     pub longitudinal: Option<PlaneOutcome>,
     /// Lateral–directional motion, x = \[v, p, r, φ\].
@@ -103,27 +108,39 @@ impl PlaneOutcome {
 }
 
 impl PlaneOutcome {
-    fn of(outcome: &Result<PlaneAnalysis, AnalysisError>) -> Self {
+    fn of(outcome: &Result<PlaneAnalysis, AnalysisError>, findings: &Findings) -> Self {
         match outcome {
-            Ok(analysis) => Self::Analysed(Box::new(PlaneReport::of(analysis))),
-            Err(error) => Self::Failed { error: error.to_string() },
+            Ok(analysis) => {
+                let closed_loop = LoopOutcome::of(findings, analysis.model.plane);
+                Self::Analysed(Box::new(PlaneReport {
+                    closed_loop,
+                    ..PlaneReport::of(analysis, findings.scenario().notation)
+                }))
+            }
+            Err(error) => {
+                let length = findings.scenario().units.length_of_reports();
+                Self::Failed { error: Told(error, length).to_string() }
+            }
         }
     }
 }
 
 /// Everything that follows for an aircraft as it is set.
-pub fn analyse(findings: &Findings) -> Result<Report, ExportError> {
-    check_no_sizes(findings.scenario())?;
+pub fn analyse(scene: &Scene) -> Result<Report, ExportError> {
+    check_no_sizes(&scene.sizes)?;
+    let findings = Findings::of(scene.scenario.clone());
     let analysis = findings.analysis().as_ref().map_err(Clone::clone)?;
     let &Analysis { margins, gravity, .. } = analysis;
     let aircraft = &findings.scenario().aircraft;
+    let of_plane = |outcome| PlaneOutcome::of(outcome, &findings);
     Ok(Report {
         aircraft: AircraftReport::of(aircraft),
         status_now: words::status::sentence(&aircraft.name, aircraft.status, findings.scenario().is_edited()),
         units: Units,
         set: set_on(findings.scenario()),
-        longitudinal: analysis.planes.longitudinal.as_ref().map(PlaneOutcome::of),
-        lateral: analysis.planes.lateral.as_ref().map(PlaneOutcome::of),
+        notices: scene.notices.clone(),
+        longitudinal: analysis.planes.longitudinal.as_ref().map(of_plane),
+        lateral: analysis.planes.lateral.as_ref().map(of_plane),
         static_margin: margins.map(|Margins { static_margin, .. }| static_margin),
         manoeuvre_margin: margins.map(|Margins { manoeuvre_margin, .. }| manoeuvre_margin),
         overall_level: analysis.overall_level().map(|overall| OverallLevelReport::of(&overall)),

@@ -5,18 +5,22 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
-use super::disturbance::{check_sizes, choose_disturbance, choose_mode, choose_shape, no_motion};
+use super::closed_loop::LoopMotion;
+use super::disturbance::{
+    check_command, check_sizes, choose_disturbance, choose_mode, choose_shape, no_motion,
+};
+use super::error::ExportError;
 use super::flown::FlightOutcome;
 use super::metrics::MetricsReport;
+use super::scene::Scene;
 use super::signal::Signal;
 use super::split::SplitOutcome;
-use super::subject::{ExportError, set_on};
-use crate::content::LengthUnit;
+use super::subject::set_on;
 use crate::findings::Findings;
 use crate::flight::motion::outputs::Output;
 use crate::flight::motion::response::MOST_STEPS;
 use crate::key::Keyed;
-use crate::scenario::{Quantity, Scenario, Source};
+use crate::scenario::{Quantity, Source};
 use crate::words;
 
 /// A disturbance, the number of samples, and the extras that are wanted.
@@ -33,18 +37,14 @@ pub struct ResponseRequest {
     /// Its shape in time, of those it can have; by default that of the page.
     #[cfg_attr(test, ts(optional, type = "Shape"))]
     pub shape: Option<String>,
-    /// Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name is read, too.
+    /// Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name and its number are read, too.
     pub mode: Option<String>,
     /// Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s.
     pub steps: Option<usize>,
-    /// Whether the same is flown in six degrees of freedom, without linearising.
-    #[serde(default)]
-    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
-    pub nonlinear: bool,
-    /// Whether each output is split into the parts of the modes.
-    #[serde(default)]
-    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
-    pub split: bool,
+    /// Whether the same is flown in six degrees of freedom, without linearising; by default only where a link says so.
+    pub nonlinear: Option<bool>,
+    /// Whether each output is split into the parts of the modes; likewise.
+    pub split: Option<bool>,
 }
 
 /// The motion after a disturbance.
@@ -56,6 +56,8 @@ pub struct ResponseReport {
     /// Values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
+    /// What of the link can't be used, in sentences; none without a link.
+    pub notices: Vec<String>,
     /// `longitudinal` or `lateral`.
     #[cfg_attr(test, ts(type = "PlaneName"))]
     pub plane: &'static str,
@@ -90,19 +92,22 @@ pub struct ResponseReport {
     pub split: Option<Vec<SplitOutcome>>,
     /// The same without linearising; null where it wasn't asked for.
     pub nonlinear: Option<FlightOutcome>,
+    /// The same linear motion under the law of feedback; null where nothing is fed back. All else is of the aircraft without it.
+    pub closed_loop: Option<LoopMotion>,
 }
 
 const STEPS: usize = 600;
 
 /// The motion of an aircraft as it is set.
-pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
-    let mut scenario = scenario.clone();
+pub fn respond(scene: &Scene, request: &ResponseRequest) -> Result<ResponseReport, ExportError> {
+    let mut scenario = scene.scenario.clone();
     let (named_plane, name) = (request.plane.as_deref(), request.disturbance.as_deref());
     let source = choose_disturbance(&mut scenario, named_plane, name, Source::VALUES, "disturbance")?;
     let plane = scenario.plane;
     let shape = choose_shape(&mut scenario, request.shape.as_deref())?;
     let mode = choose_mode(&mut scenario, request.mode.as_deref(), source)?;
-    check_sizes(&scenario)?;
+    check_sizes(&scenario, &scene.sizes)?;
+    check_command(&scenario, source)?;
 
     let own = if source == Source::Turbulence { scenario.experiment().grid.steps } else { STEPS };
     let steps = request.steps.unwrap_or(own);
@@ -125,12 +130,16 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
         Signal { name, unit: dimension.si_symbol(), values }
     });
     let outputs = Output::of(plane).iter().map(|&output| Signal::of(output, motion.values(output)));
-    let split = request.split.then(|| SplitOutcome::of(&motion, findings.modes()));
-    let nonlinear = request.nonlinear.then(|| findings.flight_in(steps)).flatten();
-    let nonlinear = nonlinear.map(|flight| FlightOutcome::of(flight, &motion.model, experiment.grid));
+    let is_split = request.split.unwrap_or(scene.view.response.split);
+    let split = is_split.then(|| SplitOutcome::of(&motion, findings.modes()));
+    let length = findings.scenario().units.length_of_reports();
+    let is_flown = request.nonlinear.unwrap_or(scene.view.response.nonlinear);
+    let nonlinear = is_flown.then(|| findings.flight_in(steps)).flatten();
+    let nonlinear = nonlinear.map(|flight| FlightOutcome::of(flight, &motion.model, experiment.grid, length));
     Ok(ResponseReport {
         aircraft: AircraftReport::of(&findings.scenario().aircraft),
         set: set_on(findings.scenario()),
+        notices: scene.notices.clone(),
         plane: plane.key(),
         disturbance: source.key(),
         shape: shape.map(Keyed::key),
@@ -140,10 +149,11 @@ pub fn respond(scenario: &Scenario, request: &ResponseRequest) -> Result<Respons
         outputs: outputs.collect(),
         time,
         small_until: motion.small_until,
-        small_limit: words::small_disturbance::sentence(&motion, LengthUnit::Metre),
+        small_limit: words::small_disturbance::sentence(&motion, length),
         cut_at: motion.response.cut_at,
         metrics: MetricsReport::of(metrics),
         split,
         nonlinear,
+        closed_loop: LoopMotion::of(&findings, steps),
     })
 }

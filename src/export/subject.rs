@@ -1,14 +1,11 @@
-//! The subject of a request: an aircraft of the list or of a text, and the values set on it.
+//! The subject of a request: an aircraft of the list, of a text or of a link, and the values set on it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use thiserror::Error;
-
-use crate::content::{Aircraft, ContentError, FILES, MatrixFormat};
-use crate::flight::AnalysisError;
-use crate::flight::aircraft::aircraft_model::ModelError;
-use crate::flight::aircraft::plane::Plane;
+use super::error::ExportError;
+use super::scene::Scene;
+use crate::content::{Aircraft, FILES, MatrixFormat};
 use crate::flight::verdicts::task::Task;
 use crate::key::{Keyed, nearest};
 use crate::number::significant;
@@ -24,6 +21,15 @@ pub enum Source {
         /// Its name, for messages.
         file: String,
         /// Its text.
+        text: String,
+    },
+    /// The scene of a link, with or without its `#` and what stands before that.
+    Link(String),
+    /// The same of a link that names an aircraft which is too long for it.
+    LinkOf {
+        /// The link.
+        link: String,
+        /// Text of the aircraft's file.
         text: String,
     },
     /// Bare matrices.
@@ -51,87 +57,6 @@ pub struct Subject {
     pub category: Option<String>,
 }
 
-/// Error of a request that can't be answered, in one sentence.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum ExportError {
-    /// The text of an aircraft can't be read.
-    #[error(transparent)]
-    Content(#[from] ContentError),
-    /// Not an aircraft of the list.
-    #[error("there is no aircraft \"{name}\" in the list{}", did_you_mean(.nearest))]
-    UnknownAircraft {
-        /// The key in the request.
-        name: String,
-        /// The key most like it.
-        nearest: Option<String>,
-    },
-    /// Not a key of the table of parameters.
-    #[error("there is no parameter \"{key}\"{}", did_you_mean(.nearest))]
-    UnknownParameter {
-        /// The key in the request.
-        key: String,
-        /// The key most like it.
-        nearest: Option<String>,
-    },
-    /// Not a key of the table of measures.
-    #[error("there is no measure \"{key}\"{}", did_you_mean(.nearest))]
-    UnknownMeasure {
-        /// The key in the request.
-        key: String,
-        /// The key most like it.
-        nearest: Option<String>,
-    },
-    /// A key that this aircraft doesn't have.
-    #[error("{aircraft} has no parameter {key} ({name}): its source has no numbers for it")]
-    NotOfAircraft {
-        /// The key.
-        key: &'static str,
-        /// The parameter in words.
-        name: &'static str,
-        /// Key of the aircraft.
-        aircraft: String,
-    },
-    /// NaN or infinite.
-    #[error("{0}: expected a finite number")]
-    NotFinite(&'static str),
-    /// Between two whole numbers, where only those mean something.
-    #[error("{0}: expected a whole number")]
-    NotWhole(&'static str),
-    /// Beyond anything with a meaning.
-    #[error("{key}: {value} is beyond what is accepted, {low} to {high}")]
-    Beyond {
-        /// The key.
-        key: &'static str,
-        /// The refused value with its SI unit.
-        value: String,
-        /// Least accepted value.
-        low: String,
-        /// Greatest accepted value, with its SI unit.
-        high: String,
-    },
-    /// The aircraft has no data of a plane of motion.
-    #[error("{aircraft} has no {} data", .plane.key())]
-    NoPlane {
-        /// Key of the aircraft.
-        aircraft: String,
-        /// The plane.
-        plane: Plane,
-    },
-    /// There is no such steady flight.
-    #[error(transparent)]
-    AircraftModel(#[from] ModelError),
-    /// The analysis failed.
-    #[error(transparent)]
-    Analysis(#[from] AnalysisError),
-    /// The request itself makes no sense.
-    #[error("{0}")]
-    Request(String),
-}
-
-fn did_you_mean(nearest: &Option<String>) -> String {
-    nearest.as_ref().map_or_else(String::new, |nearest| format!("; did you mean \"{nearest}\"?"))
-}
-
 impl Subject {
     /// An aircraft of the list as it is.
     pub fn listed(key: &str) -> Self {
@@ -140,8 +65,13 @@ impl Subject {
 
     /// The aircraft with its parameters set.
     pub fn scenario(&self) -> Result<Scenario, ExportError> {
-        let aircraft = self.source.aircraft()?;
-        let mut scenario = Scenario::new(Arc::new(aircraft));
+        Ok(self.scene()?.scenario)
+    }
+
+    /// The same with all that stands beside it in a link.
+    pub fn scene(&self) -> Result<Scene, ExportError> {
+        let mut scene = self.source.scene()?;
+        let scenario = &mut scene.scenario;
         let mut settings = self
             .set
             .iter()
@@ -149,8 +79,11 @@ impl Subject {
             .collect::<Result<Vec<_>, ExportError>>()?;
         settings.sort_by_key(|(parameter, _)| parameters().position(|p| p.key == parameter.key));
         for (parameter, value) in settings {
-            let value = checked(&scenario, parameter, value)?;
-            parameter.set(&mut scenario, value);
+            let value = checked(scenario, parameter, value)?;
+            if parameter.is_of_disturbance() && value != parameter.get(scenario) {
+                scene.sizes.push(parameter);
+            }
+            parameter.set(scenario, value);
         }
         if self.class.is_some() || self.category.is_some() {
             let usual = scenario.task.unwrap_or_default();
@@ -159,7 +92,7 @@ impl Subject {
                 category: chosen(self.category.as_deref(), "category", usual.category)?,
             });
         }
-        Ok(scenario)
+        Ok(scene)
     }
 }
 
@@ -184,18 +117,27 @@ pub(super) fn set_on(scenario: &Scenario) -> BTreeMap<String, f64> {
 }
 
 impl Source {
-    fn aircraft(&self) -> Result<Aircraft, ExportError> {
+    fn scene(&self) -> Result<Scene, ExportError> {
         Ok(match self {
+            Self::Link(link) => Scene::of_link(link, None)?,
+            Self::LinkOf { link, text } => Scene::of_link(link, Some(text))?,
             Self::Listed(key) => {
                 let keys = || FILES.iter().filter_map(|(file, _)| file.strip_suffix(".toml"));
                 let found = FILES.iter().find(|(file, _)| file.strip_suffix(".toml") == Some(key));
                 let unknown =
                     || ExportError::UnknownAircraft { name: key.clone(), nearest: nearest(key, keys()) };
                 let (file, text) = found.ok_or_else(unknown)?;
-                Aircraft::from_toml(file, text)?
+                Scene::of_file(Aircraft::from_toml(file, text)?, text)
             }
-            Self::Toml { file, text } => Aircraft::from_toml(file, text)?,
-            Self::Matrices { file, text, format } => Aircraft::from_matrices(file, text, *format)?,
+            // A file that ships is named by its key; any other is carried by a link.
+            Self::Toml { file, text } if FILES.iter().any(|(_, shipped)| shipped == text) => {
+                Scene::of_file(Aircraft::from_toml(file, text)?, text)
+            }
+            Self::Toml { file, text } => Scene::of_file(Aircraft::own(file, text)?, text),
+            Self::Matrices { file, text, format } => {
+                let aircraft = Aircraft::from_matrices(file, text, *format)?;
+                Scenario::new(Arc::new(aircraft)).into()
+            }
         })
     }
 }

@@ -2,25 +2,29 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
 use super::aircraft::AircraftReport;
 use super::disturbance::check_no_sizes;
+use super::error::ExportError;
 use super::measures::{MeasureValue, find_measure, value_of};
 use super::report::Units;
-use super::subject::{ExportError, checked, find_parameter, set_on};
+use super::scene::Scene;
+use super::subject::{checked, find_parameter, set_on};
 use crate::findings::Findings;
 use crate::findings::measures::Measure;
 use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::axes::StabilityAxes;
-use crate::flight::aircraft::edits::EditedModel;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
+use crate::flight::feedback::closed_model::ClosedModel;
+use crate::flight::feedback::{Law, analyse_loop};
 use crate::flight::modes::mode::{Mode, modes};
 use crate::flight::modes::stability::{Stability, dynamic_stability};
 use crate::flight::verdicts::static_stability::plane_static_stability;
 use crate::key::Keyed;
 use crate::scenario::{Parameter, Scenario};
-use crate::words;
+use crate::words::{self, Told};
 
 /// More points than this are refused: a slip of the finger, and more than a file is good for.
 pub const MOST_POINTS: usize = 100_000;
@@ -65,6 +69,8 @@ pub struct SweepReport {
     /// Other values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
+    /// What of the link can't be used, in sentences; none without a link.
+    pub notices: Vec<String>,
     /// Key of the parameter.
     pub parameter: &'static str,
     /// Its SI unit: that of `value`, `between` and `at`.
@@ -170,6 +176,7 @@ pub struct SweepChange {
 pub struct Sweep {
     scenario: Scenario,
     set: BTreeMap<String, f64>,
+    notices: Vec<String>,
     parameter: &'static Parameter,
     planes: Vec<Plane>,
     measures: Vec<Measure>,
@@ -179,8 +186,9 @@ pub struct Sweep {
 
 impl Sweep {
     /// Checks everything; nothing is computed yet.
-    pub fn new(scenario: Scenario, request: &SweepRequest) -> Result<Self, ExportError> {
-        check_no_sizes(&scenario)?;
+    pub fn new(scene: Scene, request: &SweepRequest) -> Result<Self, ExportError> {
+        check_no_sizes(&scene.sizes)?;
+        let Scene { scenario, notices, .. } = scene;
         let parameter = find_parameter(&request.parameter)?;
         let &SweepRequest { from, to, points, .. } = request;
         for end in [from, to] {
@@ -207,6 +215,7 @@ impl Sweep {
         Ok(Self {
             scenario,
             set,
+            notices,
             parameter,
             planes,
             measures,
@@ -233,6 +242,7 @@ impl Sweep {
             aircraft: AircraftReport::of(&self.scenario.aircraft),
             units: Units,
             set: self.set.clone(),
+            notices: self.notices.clone(),
             parameter: self.parameter.key,
             unit: self.parameter.dimension.si_symbol(),
             measures: self.measures.iter().map(|measure| MeasureColumn::of(*measure)).collect(),
@@ -244,18 +254,19 @@ impl Sweep {
     fn point(&self, value: f64) -> SweepPoint {
         let moved = moved(&self.scenario, self.parameter, value);
         let measures = self.read(&moved);
+        let length = moved.units.length_of_reports();
         let models = match moved.edited.models() {
             Ok(models) => models,
             Err(error) => {
-                let error = Some(error.to_string());
+                let error = Some(Told(&error, length).to_string());
                 return SweepPoint { value, longitudinal: None, lateral: None, error, measures };
             }
         };
         let is_of = |problem: &&ModelError| problem.plane().is_none_or(|plane| self.planes.contains(&plane));
-        let mut error = models.problems.iter().find(is_of).map(ToString::to_string);
+        let mut error = models.problems.iter().find(is_of).map(|problem| Told(problem, length).to_string());
         let mut of = |plane: Plane| {
             let model = models.planes[plane].as_ref().filter(|_| self.planes.contains(&plane))?;
-            match sweep_plane(model, &moved.edited) {
+            match sweep_plane(model, &moved) {
                 Ok(plane) => Some(plane),
                 Err(problem) => {
                     error.get_or_insert(problem);
@@ -376,10 +387,16 @@ fn moved(scenario: &Scenario, parameter: &Parameter, value: f64) -> Scenario {
 /// The planes whose A is not the same at both ends and in the middle. Where there is no such flight, nothing is known of it and
 /// both are kept.
 fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) -> Vec<Plane> {
-    let at = [from, 0.5 * (from + to), to].map(|value| moved(scenario, parameter, value).edited.models());
+    let at = [from, 0.5 * (from + to), to].map(|value| {
+        let moved = moved(scenario, parameter, value);
+        Some((moved.edited.models().ok()?, moved.law))
+    });
     let is_moved = |plane: &Plane| match &at {
-        [Ok(first), Ok(second), Ok(third)] => {
-            let a = [first, second, third].map(|models| models.planes[*plane].as_ref().map(|model| model.a));
+        [Some(first), Some(second), Some(third)] => {
+            let a = [first, second, third].map(|(models, law)| {
+                let model = models.planes[*plane].as_ref()?;
+                Some((model.a, flown_matrix(model, law)))
+            });
             a[0] != a[1] || a[1] != a[2]
         }
         _ => true,
@@ -387,10 +404,27 @@ fn moved_planes(scenario: &Scenario, parameter: &Parameter, from: f64, to: f64) 
     Plane::ALL.into_iter().filter(is_moved).collect()
 }
 
-fn sweep_plane(model: &PlaneModel, edited: &EditedModel) -> Result<SweepPlane, String> {
-    let modes = modes(model).map_err(|error| error.to_string())?;
-    let of_static =
-        plane_static_stability(&StabilityAxes::of(model), edited.derivatives_behind(model.plane).as_ref());
+/// A of a plane under its law; `None` where nothing is fed back.
+fn flown_matrix(model: &PlaneModel, law: &Law) -> Option<DMatrix<f64>> {
+    if law.is_open(model.plane) && model.further.is_none() {
+        return None;
+    }
+    ClosedModel::new(model, law).ok().map(|closed| closed.a)
+}
+
+/// The modes of a plane as it flies: under the law where there is one.
+fn flown_modes(model: &PlaneModel, law: &Law) -> Result<Vec<Mode>, String> {
+    if law.is_open(model.plane) && model.further.is_none() {
+        return modes(model).map_err(|error| error.to_string());
+    }
+    let closed = analyse_loop(model, law, None).map_err(|error| error.to_string())?;
+    Ok(closed.modes.into_iter().map(|mode| mode.mode).collect())
+}
+
+fn sweep_plane(model: &PlaneModel, scenario: &Scenario) -> Result<SweepPlane, String> {
+    let modes = flown_modes(model, &scenario.law)?;
+    let derivatives = scenario.edited.derivatives_behind(model.plane);
+    let of_static = plane_static_stability(&StabilityAxes::of(model), derivatives.as_ref());
     let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
     let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
     let of_dynamic: Stability = dynamic_stability(worst, fastest);

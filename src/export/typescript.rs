@@ -12,9 +12,11 @@ use std::fs;
 use ts_rs::{Config, TS, TypeVisitor};
 
 use super::{
-    AircraftReport, FrequencyReport, FrequencyRequest, MeasureReport, ParameterReport, Report,
-    ResponseReport, ResponseRequest, SweepReport, SweepRequest, json, sweep,
+    AircraftReport, DisturbanceRequest, FrequencyReport, FrequencyRequest, LinkReport, MeasureReport,
+    Message, ParameterReport, Report, ResponseReport, ResponseRequest, SweepReport, SweepRequest, TakenAlong,
+    Target, json, sweep,
 };
+use crate::content::import::review::Review;
 use crate::content::{MatrixFormat, Status};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::approximations::ApproximationName;
@@ -37,6 +39,7 @@ fn the_committed_types_are_those_of_the_structs() {
     types.visit::<ResponseRequest>();
     types.visit::<FrequencyRequest>();
     types.visit::<SweepRequest>();
+    types.visit::<DisturbanceRequest>();
     types.visit::<AircraftReport>();
     types.visit::<ParameterReport>();
     types.visit::<MeasureReport>();
@@ -44,9 +47,14 @@ fn the_committed_types_are_those_of_the_structs() {
     types.visit::<ResponseReport>();
     types.visit::<FrequencyReport>();
     types.visit::<SweepReport>();
+    types.visit::<LinkReport>();
+    types.visit::<TakenAlong>();
+    types.visit::<Message>();
+    types.visit::<Review>();
 
-    let with_channel = Source::VALUES.iter().filter(|source| !source.shapes().is_empty());
+    let with_channel = Source::VALUES.iter().filter(|source| source.has_frequencies());
     types.union("PlaneName", keys::<Plane>());
+    types.union("Target", keys::<Target>());
     types.union("Disturbance", keys::<Source>());
     types.union("ControlOrGust", with_channel.map(|source| source.key()));
     types.union("Shape", keys::<Shape>());

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::subject::ExportError;
+use super::error::ExportError;
+use super::scene::Scene;
 use crate::findings::Findings;
 use crate::findings::change::{Cause, Change, Kind, Moved, NewTrim, Shift, reference_of};
 use crate::flight::aircraft::plane::Plane;
@@ -19,6 +20,10 @@ pub struct WhyReport {
     pub name: String,
     /// One a plane that has changed.
     pub planes: Vec<WhyPlane>,
+    /// What of the link can't be used, in sentences; none without a link.
+    pub notices: Vec<String>,
+    /// What it is compared with: `file`, the aircraft's file, or `pinned`, the state that the link has pinned.
+    pub since: &'static str,
     /// Where the disturbance leads, if it is a step of a control that leads to steady flight.
     pub new_trim: Option<String>,
 }
@@ -87,27 +92,37 @@ pub struct CauseReport {
     pub part: f64,
 }
 
-/// Why the modes stand where they do, and not where the aircraft's file has them.
-pub fn why(scenario: &Scenario) -> Result<WhyReport, ExportError> {
+/// Why the modes stand where they do, and not where the aircraft's file has them, or the pinned state if there is one.
+pub fn why(scene: &Scene) -> Result<WhyReport, ExportError> {
+    let scenario = &scene.scenario;
+    let mut notices = scene.notices.clone();
+    let is_same = |pinned: &&Scenario| pinned.aircraft.key == scenario.aircraft.key;
+    let pinned = scene.pinned.as_ref().filter(is_same);
+    if scene.pinned.is_some() && pinned.is_none() {
+        notices.push(words::change::OTHER_PINNED.to_owned());
+    }
+    let reference = pinned.cloned().unwrap_or_else(|| reference_of(scenario));
     let findings = Findings::of(scenario.clone());
     findings.analysis().as_ref().map_err(Clone::clone)?;
-    let planes = Plane::ALL.into_iter().filter_map(|plane| of_plane(scenario, plane)).collect();
-    let length = scenario.aircraft.length_unit;
+    let planes = Plane::ALL.into_iter().filter_map(|plane| of_plane(&reference, scenario, plane)).collect();
+    let convention = scenario.convention();
     Ok(WhyReport {
         aircraft: scenario.aircraft.key.clone(),
         name: scenario.aircraft.name.clone(),
         planes,
-        new_trim: NewTrim::of(&findings).map(|trim| plain(&words::new_trim::sentence(&trim, length))),
+        notices,
+        since: if pinned.is_some() { "pinned" } else { "file" },
+        new_trim: NewTrim::of(&findings).map(|trim| plain(&words::new_trim::sentence(&trim, convention))),
     })
 }
 
-fn of_plane(scenario: &Scenario, plane: Plane) -> Option<WhyPlane> {
+fn of_plane(reference: &Scenario, scenario: &Scenario, plane: Plane) -> Option<WhyPlane> {
     let in_plane = |scenario: Scenario| Findings::of(Scenario { plane, ..scenario });
-    let (before, after) = (in_plane(reference_of(scenario)), in_plane(scenario.clone()));
+    let (before, after) = (in_plane(reference.clone()), in_plane(scenario.clone()));
     let change = Change::between(&before, &after).filter(|change| !change.edits.is_empty())?;
-    let length = scenario.aircraft.length_unit;
+    let convention = scenario.convention();
     let modes = change.modes.iter().filter_map(|mode| {
-        let reasons = words::change::reasons(&change, mode, length)?;
+        let reasons = words::change::reasons(&change, mode, convention)?;
         let shifts = match &mode.kind {
             Kind::Still | Kind::New => Vec::new(),
             Kind::Root(shift) => vec![ShiftReport::of("root", shift)],
@@ -128,7 +143,7 @@ fn of_plane(scenario: &Scenario, plane: Plane) -> Option<WhyPlane> {
     });
     Some(WhyPlane {
         plane: plane.key(),
-        sentence: plain(&words::change::edits(&change, length)),
+        sentence: plain(&words::change::edits(&change, convention)),
         modes: modes.collect(),
         edits: change.edits.iter().map(MovedReport::of).collect(),
     })

@@ -65,8 +65,18 @@ pub enum Extreme {
 }
 
 impl Metrics {
+    /// Metrics of one output of a motion, and nothing else: where many motions are compared by it.
+    pub(super) fn of_one(scenario: &Scenario, motion: &Motion, modes: &[Mode], output: Output) -> Self {
+        Self::some(scenario, motion, modes, &[output], false)
+    }
+
     /// Metrics of a motion; `modes` are those of its model.
     pub(super) fn of(scenario: &Scenario, motion: &Motion, modes: &[Mode]) -> Self {
+        Self::some(scenario, motion, modes, Output::of(motion.model.plane), true)
+    }
+
+    /// Metrics of some outputs, and of the motion as a whole where they are wanted.
+    fn some(scenario: &Scenario, motion: &Motion, modes: &[Mode], outputs: &[Output], whole: bool) -> Self {
         let Motion { model, forced, experiment, .. } = motion;
         let plane = model.plane;
         let course = Course::new(model, forced, modes, experiment.grid.duration);
@@ -80,7 +90,7 @@ impl Metrics {
             let of_output = OutputMetrics::of(output, motion, modes, &course, is_random);
             if steady_is_beyond { OutputMetrics { steady: None, step: None, ..of_output } } else { of_output }
         };
-        let outputs: Vec<OutputMetrics> = Output::of(plane).iter().map(of_output).collect();
+        let outputs: Vec<OutputMetrics> = outputs.iter().map(of_output).collect();
         let load = match plane {
             Plane::Longitudinal => Output::NormalLoad,
             Plane::Lateral => Output::SideLoad,
@@ -94,9 +104,9 @@ impl Metrics {
             outputs,
             steady_is_beyond,
             // Of irregular air neither says anything of the aircraft.
-            time_to_bank: (plane == Plane::Lateral && !is_random).then(banked).flatten(),
-            phugoid_swing: (plane == Plane::Longitudinal && !is_random).then(swing).flatten(),
-            control_anticipation: (choice.source == Source::Elevator).then(anticipation).flatten(),
+            time_to_bank: (whole && plane == Plane::Lateral && !is_random).then(banked).flatten(),
+            phugoid_swing: (whole && plane == Plane::Longitudinal && !is_random).then(swing).flatten(),
+            control_anticipation: (whole && choice.source == Source::Elevator).then(anticipation).flatten(),
         }
     }
 }

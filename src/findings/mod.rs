@@ -4,23 +4,41 @@
 //!
 //! | file | in one line |
 //! |---|---|
+//! | [`chart`] | a measure over the range of a slider |
+//! | `charting` | the same, found |
 //! | [`change`] | what a change of the aircraft did to each mode, and by which derivatives |
+//! | `closed_loop` | modes, margins, motion and loops under the law of feedback |
 //! | [`equations`] | A and B entry by entry, what they are made of, the characteristic polynomial |
+//! | `least_gain` | the least gain that reaches a level of handling qualities |
 //! | `existing_range` | the part of a slider's range in which there is such a flight |
 //! | `sensitivities` | how strongly each parameter moves each mode |
+//! | `loop_sensitivities` | the same under a law, and to its gains |
 //! | `locus` | the path along which a parameter sends the poles |
+//! | `loop_placement` | the model whose gains bring a pole to a place |
 //! | `placement` | which parameters bring a pole to a place, and why no further |
 //! | `time_shown` | the time in which the slowest visible mode is seen |
 //! | `trajectory` | the aircraft at one moment of its motion |
 //! | `metrics` | the numbers a course asks of a motion |
 //! | [`measures`] | the one table of what can be read, by key |
+//! | `flown` | the aircraft as it flies, under the law or with the loop shown open |
+//! | `flown_metrics` | the numbers a course asks of a motion under the law |
+//! | `known_map` | the map of the damping over gain and washout |
 //! | `frequency` | gain, phase and peaks over frequency |
 
 pub mod change;
+pub mod chart;
+mod charting;
+mod closed_loop;
 pub mod equations;
 mod existing_range;
+mod flown;
+mod flown_metrics;
 mod frequency;
+mod known_map;
+mod least_gain;
 mod locus;
+mod loop_placement;
+mod loop_sensitivities;
 pub mod measures;
 mod metrics;
 mod placement;
@@ -36,8 +54,12 @@ use thiserror::Error;
 
 use crate::flight::aircraft::aircraft_model::AircraftModel;
 use crate::flight::aircraft::coefficients::Coefficients;
-use crate::flight::aircraft::plane::Plane;
-use crate::flight::analysis::{GravityCheck, Motion, PlaneAnalysis, motion};
+use crate::flight::aircraft::plane::{ByPlane, Plane};
+use crate::flight::analysis::{GravityCheck, Motion, PlaneAnalysis, analyse_at_rest, motion};
+use crate::flight::feedback::loop_curve::LoopCurve;
+use crate::flight::feedback::loop_flight::{Beside, fly_closed};
+use crate::flight::feedback::margins::LoopMargins;
+use crate::flight::feedback::{LoopAnalysis, LoopError};
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::stability::Stability;
@@ -49,10 +71,13 @@ use crate::flight::motion::outputs::Output;
 use crate::flight::motion::six_dof::{SixDof, SixDofError};
 use crate::flight::verdicts::level_boundaries::{Boundary, level_boundaries};
 use crate::flight::{Analysis, AnalysisError, Experiment};
+use crate::key::Keyed as _;
 use crate::scenario::{Page, Parameter, Scenario};
 
+pub use chart::MeasureChart;
 pub use equations::Equations;
 pub use frequency::FrequencyResponse;
+pub use least_gain::{LeastGain, NoLeastGain};
 pub use metrics::{Extreme, Metrics, OutputMetrics};
 pub use placement::{Obstacle, Placed, PlacementError};
 pub use sensitivities::{RowSensitivity, by_strength};
@@ -65,9 +90,9 @@ pub struct Findings {
     scenario: Scenario,
     analysis: OnceCell<Result<Analysis, AnalysisError>>,
     /// One a page of sliders.
-    sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::ALL.len()],
+    sensitivities: [OnceCell<Vec<RowSensitivity>>; Page::VALUES.len()],
     /// Likewise.
-    existing: [OnceCell<Vec<existing_range::Of>>; Page::ALL.len()],
+    existing: [OnceCell<Vec<existing_range::Of>>; Page::VALUES.len()],
     coefficients: OnceCell<Option<Coefficients>>,
     level_boundaries: OnceCell<Vec<Boundary>>,
     flight: OnceCell<Option<Result<FlightPath, SixDofError>>>,
@@ -77,6 +102,19 @@ pub struct Findings {
     metrics: OnceCell<Option<Metrics>>,
     time_to_see: OnceCell<Option<f64>>,
     locus: RefCell<Option<locus::Known>>,
+    chart: RefCell<Option<chart::Known>>,
+    closed_loops: ByPlane<OnceCell<Option<Result<LoopAnalysis, LoopError>>>>,
+    unfed: ByPlane<OnceCell<Option<LoopAnalysis>>>,
+    loop_margins: ByPlane<OnceCell<[Option<LoopMargins>; 2]>>,
+    /// Whether the loop is shown open.
+    is_opened: bool,
+    flown: ByPlane<OnceCell<Option<PlaneAnalysis>>>,
+    flown_motion: OnceCell<Option<Motion>>,
+    flown_metrics: OnceCell<Option<Metrics>>,
+    /// Of either input of the plane on screen.
+    loop_curves: [OnceCell<Option<LoopCurve>>; 2],
+    damping_map: RefCell<Option<known_map::KnownMap>>,
+    closed_frequency: OfOutputs<FrequencyResponse>,
 }
 
 /// A result for each output of the plane on screen, `None` where nothing moves; in the order of [`Output::of`].
@@ -118,12 +156,58 @@ impl Findings {
             metrics: OnceCell::new(),
             time_to_see: OnceCell::new(),
             locus: RefCell::default(),
+            chart: RefCell::default(),
+            closed_loops: ByPlane::default(),
+            unfed: ByPlane::default(),
+            loop_margins: ByPlane::default(),
+            is_opened: false,
+            flown: ByPlane::default(),
+            flown_motion: OnceCell::new(),
+            flown_metrics: OnceCell::new(),
+            loop_curves: Default::default(),
+            damping_map: RefCell::default(),
+            closed_frequency: std::iter::repeat_with(OnceCell::new).take(outputs).collect(),
         }
     }
 
-    /// The findings of a scenario that has come out of this one by an edit: a locus is found again only if it is another.
+    /// The same with the loop shown open: what [flies](Self::flown) is the aircraft without its law.
+    pub fn opened(self, is_opened: bool) -> Self {
+        Self {
+            is_opened,
+            flown: ByPlane::default(),
+            flown_motion: OnceCell::new(),
+            flown_metrics: OnceCell::new(),
+            flight: OnceCell::new(),
+            chart: RefCell::default(),
+            ..self
+        }
+    }
+
+    /// Whether the loop is shown open.
+    pub fn is_opened(&self) -> bool {
+        self.is_opened
+    }
+
+    /// The findings of a scenario that has come out of this one by an edit: a locus, a map and a chart are found again only if they are
+    /// others.
     pub fn after(&self, scenario: Scenario) -> Self {
-        Self { locus: self.locus.clone(), ..Self::of(scenario) }
+        let (locus, damping_map, chart) = (self.locus.clone(), self.damping_map.clone(), self.chart.clone());
+        Self { locus, damping_map, chart, ..Self::of(scenario) }
+    }
+
+    /// The findings of a scenario in which nothing moves: where many are compared by their modes.
+    fn at_rest(scenario: Scenario) -> Self {
+        let analysis = analyse_at_rest(&scenario.edited, scenario.task);
+        Self { analysis: OnceCell::from(analysis), ..Self::of(scenario) }
+    }
+
+    /// The findings of a scenario of whose motion only one output is wanted: where many are compared by it.
+    fn of_one_output(scenario: Scenario, output: Output) -> Self {
+        let findings = Self::of(scenario);
+        let metrics = findings
+            .motion()
+            .map(|motion| Metrics::of_one(&findings.scenario, motion, findings.modes(), output));
+        Self { metrics: OnceCell::from(metrics), ..findings }
     }
 
     /// The scenario that all of it follows from.
@@ -165,7 +249,7 @@ impl Findings {
 
     /// The first mode that grows, if one does: then a motion has no steady value and a sine no steady answer.
     pub fn growing_mode(&self) -> Option<&Mode> {
-        self.modes().iter().find(|mode| mode.stability == Stability::Unstable)
+        self.flown_modes().iter().find(|mode| mode.stability == Stability::Unstable)
     }
 
     /// The motion in the plane on screen.
@@ -176,7 +260,7 @@ impl Findings {
     /// The ground in heights gained on the steady flight \[m\], where the motion goes below it while it is small: the altitude of the
     /// case counts from sea level, and the linear model knows no ground.
     pub fn ground(&self) -> Option<f64> {
-        let motion = self.motion().filter(|motion| motion.model.plane == Plane::Longitudinal)?;
+        let motion = self.flown_motion().filter(|motion| motion.model.plane == Plane::Longitudinal)?;
         let Scenario { edited, aircraft, .. } = &self.scenario;
         let altitude = match &edited.aircraft_model {
             AircraftModel::Coefficients(model) => model.condition.altitude,
@@ -204,10 +288,16 @@ impl Findings {
         self.plane().is_some() && SixDof::new(&self.scenario.edited).is_ok()
     }
 
-    /// The same flight at other samples: `steps` between them.
+    /// The same flight at other samples: `steps` between them. A law moves the controls, of both planes.
     pub fn flight_in(&self, steps: usize) -> Option<Result<FlightPath, SixDofError>> {
         let PlaneAnalysis { model, modes, .. } = self.plane()?;
-        Some(fly(&self.scenario.edited, model, modes, &self.experiment_in(steps)?))
+        let Scenario { edited, law, aircraft, .. } = &self.scenario;
+        let experiment = self.experiment_in(steps)?;
+        if self.is_opened || Plane::ALL.into_iter().all(|plane| law.is_open(plane)) {
+            return Some(fly(edited, model, modes, &experiment));
+        }
+        let closed = self.law_flown();
+        Some(fly_closed(edited, law, &aircraft.limits, Beside { model, modes, closed }, &experiment))
     }
 
     fn experiment_in(&self, steps: usize) -> Option<Experiment> {
@@ -236,10 +326,18 @@ impl Findings {
         self.coefficients.get_or_init(derived).as_ref()
     }
 
-    /// The sensitivities of every parameter on a page that the aircraft has; none where the plane has no analysis.
+    /// The sensitivities of the [flown modes](Self::flown_modes) to every parameter on a page that the aircraft has; none where the plane
+    /// has no analysis.
     pub fn sensitivities(&self, page: Page) -> &[RowSensitivity] {
-        let of = |plane| sensitivities::of_page(&self.scenario, plane, page);
-        self.sensitivities[page as usize].get_or_init(|| self.plane().map_or_else(Vec::new, of))
+        self.sensitivities[page as usize].get_or_init(|| match self.plane() {
+            None => Vec::new(),
+            // While the loop is shown open no gain does anything.
+            Some(_) if page == Page::Feedback && self.is_opened && self.closed_loop().is_some() => Vec::new(),
+            Some(_) if page == Page::Feedback || self.law_flown().is_some() => {
+                loop_sensitivities::of_page(&self.scenario, self.flown_modes(), self.law_flown(), page)
+            }
+            Some(plane) => sensitivities::of_page(&self.scenario, plane, page),
+        })
     }
 
     /// The part of a slider's range \[SI\] in which there is such an aircraft and such a flight, with all else as it is; `None` where
@@ -253,12 +351,13 @@ impl Findings {
 
     /// The path of the poles along the whole range of a parameter's slider, wherever along it the parameter is.
     pub fn locus(&self, parameter: &'static Parameter) -> Rc<Locus> {
-        locus::known_or_found(&mut self.locus.borrow_mut(), &self.scenario, parameter)
+        let is_closed = parameter.page == Some(Page::Feedback) || self.law_flown().is_some();
+        locus::known_or_found(&mut self.locus.borrow_mut(), &self.scenario, parameter, is_closed)
     }
 
     /// The equations of the plane on screen, as one would write them on a board.
     pub fn equations(&self) -> Option<&Equations> {
-        let of = |plane| Equations::of(&self.scenario.edited, plane);
+        let of = |plane| Equations::of(&self.scenario.edited, plane, self.scenario.convention());
         self.equations.get_or_init(|| self.plane().map(of)).as_ref()
     }
 
@@ -292,7 +391,7 @@ impl Findings {
     /// The limits of the handling-quality levels in the complex plane; none where the aircraft has no class.
     pub fn level_boundaries(&self) -> &[Boundary] {
         self.level_boundaries.get_or_init(|| {
-            let judged = self.scenario.task.zip(self.plane());
+            let judged = self.scenario.task.zip(self.flown());
             judged.map_or_else(Vec::new, |(task, plane)| level_boundaries(&plane.model, &plane.modes, task))
         })
     }

@@ -7,8 +7,9 @@ use super::Findings;
 use super::sensitivities::{STILL, by_strength};
 use crate::flight::modes::eigen::eigenvalues;
 use crate::flight::modes::inverse::{
-    Adjustable, InverseError, Linearised, OutOfReach, Placement, place_pole,
+    Adjustable, InverseError, Linearised, OutOfReach, Placement, place_pole, place_pole_of,
 };
+use crate::flight::modes::locus::Poles;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::sensitivity::sensitivity;
@@ -70,6 +71,10 @@ pub enum Obstacle {
 pub enum PlacementError {
     /// No derivative is chosen that this aircraft has.
     NothingChosen,
+    /// No gain is chosen.
+    NoGainChosen,
+    /// Gains would move it, but the loop is shown open.
+    ShownOpen,
     /// The chosen ones don't move it.
     NothingMoves(Vec<&'static Parameter>),
     /// The core has no answer.
@@ -94,7 +99,13 @@ impl Findings {
         if chosen.is_empty() {
             return Err(PlacementError::NothingChosen);
         }
-        if !chosen.iter().any(|p| moves(scenario, mode, p)) {
+        let by_gains = chosen.iter().all(|parameter| parameter.is_gain());
+        let is_moved = if by_gains {
+            chosen.iter().any(|p| self.gain_moves(mode, p))
+        } else {
+            chosen.iter().any(|p| moves(scenario, mode, p))
+        };
+        if !is_moved {
             return Err(PlacementError::NothingMoves(chosen));
         }
         let wanted = if mode.is_oscillatory() {
@@ -124,12 +135,22 @@ impl Findings {
             };
             Some(Linearised { a: matrix(&moved)?, rates: chosen.iter().map(rate).collect() })
         };
-        let place = |to: Complex<f64>| place_pole(linearised, &adjustables, mode.lambda, to);
-        let (placement, lost) = placed_by_the_same_pole(place, model, &adjustables, mode.lambda, wanted)?;
+        let gained = if by_gains { self.gained(&chosen) } else { None };
+        let place = |to: Complex<f64>| match &gained {
+            Some(gained) => {
+                place_pole_of(&|values, choice| gained.solved(values, choice), &adjustables, mode.lambda, to)
+            }
+            None => place_pole(linearised, &adjustables, mode.lambda, to),
+        };
+        let poles = &|values: &[f64]| match &gained {
+            Some(gained) => gained.poles(values),
+            None => eigenvalues(&model(values)?).ok().map(|poles| poles.iter().copied().collect()),
+        };
+        let (placement, lost) = placed_by_the_same_pole(&place, poles, &adjustables, mode.lambda, wanted)?;
         let scenario = with(&placement.values);
         let obstacle = placement
             .out_of_reach
-            .and_then(|_| obstacle(&chosen, &adjustables, &placement, lost, model(&placement.values)));
+            .and_then(|_| obstacle(&chosen, &adjustables, &placement, lost, poles(&placement.values)));
         let Placement { lambda, evaluations, .. } = placement;
         Ok(Placed { scenario, lambda, wanted, obstacle, evaluations })
     }
@@ -138,33 +159,50 @@ impl Findings {
     /// aircraft's mode has no such name, the two that move it most.
     pub fn movers(&self, index: usize, page: Page) -> Vec<&'static str> {
         use ModeName as Name;
-        let Some(mode) = self.modes().get(index) else { return Vec::new() };
-        let named: [&[&str]; 3] = match mode.naming.name {
+        let Some(mode) = self.flown_modes().get(index) else { return Vec::new() };
+        let named: [&[&str]; 4] = match mode.naming.name {
             Name::ShortPeriod
             | Name::ShortPeriodFastRoot
             | Name::ShortPeriodSlowRoot
             | Name::PitchSubsidence
-            | Name::PitchDivergence => [&["cm_alpha", "cm_q"], &["m_w", "m_q"], &["a_qw", "a_qq"]],
+            | Name::PitchDivergence => {
+                [&["cm_alpha", "cm_q"], &["m_w", "m_q"], &["a_qw", "a_qq"], &["k.alpha_de", "k.q_de"]]
+            }
             Name::Phugoid | Name::PhugoidFastRoot | Name::PhugoidSlowRoot => {
-                [&["cl", "cd"], &["z_u", "x_u"], &["a_wu", "a_uu"]]
+                [&["cl", "cd"], &["z_u", "x_u"], &["a_wu", "a_uu"], &["k.u_de", "k.theta_de"]]
             }
             Name::DutchRoll
             | Name::DutchRollMoreStableRoot
             | Name::DutchRollLessStableRoot
             | Name::SideslipSubsidence
-            | Name::DirectionalDivergence => [&["cn_beta", "cn_r"], &["n_v", "n_r"], &["a_rv", "a_rr"]],
-            Name::RollSubsidence | Name::RollDivergence => [&["croll_p"], &["l_p"], &["a_pp"]],
-            Name::Spiral => [&["croll_beta", "cn_r"], &["l_v", "n_r"], &["a_pv", "a_rr"]],
+            | Name::DirectionalDivergence => {
+                [&["cn_beta", "cn_r"], &["n_v", "n_r"], &["a_rv", "a_rr"], &["k.beta_dr", "k.r_dr"]]
+            }
+            Name::RollSubsidence | Name::RollDivergence => [&["croll_p"], &["l_p"], &["a_pp"], &["k.p_da"]],
+            Name::Spiral => [&["croll_beta", "cn_r"], &["l_v", "n_r"], &["a_pv", "a_rr"], &["k.phi_da"]],
             Name::ThirdOscillatory
             | Name::SpeedSubsidence
             | Name::SpeedDivergence
             | Name::CoupledRollSpiral
             | Name::LateralOscillation
             | Name::LateralSubsidence
-            | Name::LateralDivergence => [&[], &[], &[]],
+            | Name::LateralDivergence
+            | Name::Height
+            | Name::Heading
+            | Name::Washout
+            | Name::ElevatorActuator
+            | Name::Engine
+            | Name::AileronActuator
+            | Name::RudderActuator
+            | Name::Position
+            | Name::FeedbackOscillation
+            | Name::FurtherState
+            | Name::FurtherOscillation => [&[], &[], &[], &[]],
         };
-        let named = Page::ALL.iter().position(|other| *other == page).map_or(&[][..], |i| named[i]);
-        let all = by_strength(self.sensitivities(page), index);
+        let named = named[page as usize];
+        let mut all = by_strength(self.sensitivities(page), index);
+        // What a drag of a pole chooses is gains, not the filters on their way.
+        all.retain(|key| Parameter::find(key).is_some_and(|parameter| !parameter.is_filter()));
         let known: Vec<&'static str> = all.iter().copied().filter(|key| named.contains(key)).collect();
         if known.is_empty() { all.into_iter().take(2).collect() } else { known }
     }
@@ -198,14 +236,14 @@ fn with_values(
 /// The placement, if it is the pole at `from` that has come there. Where that pole would have to part or meet another on the way,
 /// and it is another one that the search has found, the farthest place towards `wanted` that it does come to, and true.
 fn placed_by_the_same_pole(
-    place: impl Fn(Complex<f64>) -> Result<Placement, InverseError>,
-    model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    place: &dyn Fn(Complex<f64>) -> Result<Placement, InverseError>,
+    poles: &dyn Fn(&[f64]) -> Option<Poles>,
     adjustables: &[Adjustable],
     from: Complex<f64>,
     wanted: Complex<f64>,
 ) -> Result<(Placement, bool), InverseError> {
     let followed = |placement: &Placement| {
-        let end = follow(model, adjustables, &placement.values, from);
+        let end = follow(poles, adjustables, &placement.values, from);
         end.is_some_and(|end| (end - placement.lambda).norm() <= 1e-6 * placement.lambda.norm())
     };
     let whole = place(wanted)?;
@@ -229,7 +267,7 @@ fn placed_by_the_same_pole(
 
 /// Where the pole at `from` goes while the parameters go straight to `values`; `None` where it leaves or meets the real axis.
 fn follow(
-    model: &impl Fn(&[f64]) -> Option<Matrix4<f64>>,
+    poles: &dyn Fn(&[f64]) -> Option<Poles>,
     adjustables: &[Adjustable],
     values: &[f64],
     from: Complex<f64>,
@@ -240,8 +278,8 @@ fn follow(
         let between: Vec<f64> =
             adjustables.iter().zip(values).map(|(p, end)| p.value + t * (end - p.value)).collect();
         let distance = |pole: &Complex<f64>| (pole - here).norm();
-        let poles = eigenvalues(&model(&between)?).ok()?;
-        let upper = poles.into_iter().filter(|pole| pole.im >= 0.0);
+        let poles = poles(&between)?;
+        let upper = poles.iter().copied().filter(|pole| pole.im >= 0.0);
         let next = upper.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         if (next.im > 0.0) != (from.im > 0.0) {
             return None;
@@ -252,13 +290,13 @@ fn follow(
 }
 
 /// What keeps the pole from the target; `None` if nothing worth a word does: it is there to four digits. `lost` says that
-/// another pole would have come nearer, `a` is the matrix with the pole where it came to.
+/// another pole would have come nearer, `poles` are all, with the pole where it came to.
 fn obstacle(
     chosen: &[&'static Parameter],
     adjustables: &[Adjustable],
     placement: &Placement,
     lost: bool,
-    a: Option<Matrix4<f64>>,
+    poles: Option<Poles>,
 ) -> Option<Obstacle> {
     let Placement { values, lambda, wanted, .. } = placement;
     let left = (wanted - lambda).norm();
@@ -270,7 +308,7 @@ fn obstacle(
     if pair && (lost || near_axis) {
         return Some(Obstacle::RealAxis);
     }
-    let gap = a.and_then(|a| gap_to_real_root(&a, *lambda));
+    let gap = poles.and_then(|poles| gap_to_real_root(&poles, *lambda));
     if !pair && (lost || gap.is_some_and(|gap| gap < MEETING * left)) {
         return Some(Obstacle::Meeting);
     }
@@ -297,9 +335,8 @@ fn obstacle(
 }
 
 /// Distance from a real root to the nearest other one.
-fn gap_to_real_root(a: &Matrix4<f64>, lambda: Complex<f64>) -> Option<f64> {
-    let values = eigenvalues(a).ok()?;
-    let real = values.iter().filter(|other| other.im == 0.0);
+fn gap_to_real_root(poles: &Poles, lambda: Complex<f64>) -> Option<f64> {
+    let real = poles.iter().filter(|other| other.im == 0.0);
     let mut gaps: Vec<f64> = real.map(|other| (other.re - lambda.re).abs()).collect();
     gaps.sort_by(f64::total_cmp);
     // The first is the root itself.

@@ -34,13 +34,18 @@ fn row(
     let a_rate = parameter.matrix_rate(&scenario.edited, scenario.plane)?;
     let change = parameter.notable_change(scenario);
     let modes: Vec<Sensitivity> = analysis.modes.iter().map(|mode| sensitivity(mode, &a_rate)).collect();
-    let fastest = analysis.modes.iter().map(|mode| mode.lambda.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    let strengths = strengths(&analysis.modes, &modes, change);
+    Some(RowSensitivity { key: parameter.key, change, modes, strengths })
+}
+
+/// Size of the move of each λ relative to |λ| for a change of a parameter \[SI\]; `None` at a repeated root.
+pub(super) fn strengths(modes: &[Mode], rates: &[Sensitivity], change: f64) -> Vec<Option<f64>> {
+    let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(f64::MIN_POSITIVE, f64::max);
     let strength = |(mode, sensitivity): (&Mode, &Sensitivity)| {
         let size = mode.lambda.norm().max(1e-3 * fastest);
         sensitivity.rate().map(|rate| (rate.lambda.norm() * change / size).min(f64::MAX))
     };
-    let strengths = analysis.modes.iter().zip(&modes).map(strength).collect();
-    Some(RowSensitivity { key: parameter.key, change, modes, strengths })
+    modes.iter().zip(rates).map(strength).collect()
 }
 
 /// Keys of the rows that move a mode, the strongest first.

@@ -2,6 +2,7 @@
 
 use super::Findings;
 use crate::flight::analysis::PlaneAnalysis;
+use crate::flight::feedback::loop_response::respond_closed;
 use crate::flight::modes::mode::Mode;
 use crate::flight::motion::experiment::{Experiment, forced};
 use crate::flight::motion::modal_decomposition::modal_decomposition;
@@ -88,7 +89,7 @@ impl Findings {
     pub fn time_to_see(&self) -> Option<f64> {
         *self.time_to_see.get_or_init(|| {
             let Scenario { plane, disturbance, .. } = &self.scenario;
-            let modes = &self.plane()?.modes;
+            let modes = &self.flown()?.modes;
             let choice = &disturbance.choices[*plane];
             if choice.source == Source::OneMode {
                 return modes.get(choice.mode).or(modes.last()).map(seen_in);
@@ -108,8 +109,14 @@ impl Findings {
         let Some(PlaneAnalysis { model, modes, .. }) = self.plane() else { return false };
         let Experiment { inputs, start, .. } = self.scenario.experiment();
         let forced = forced(&self.scenario.edited, model, &inputs, start, modes);
-        let response = respond(&forced, TimeGrid { duration, steps: STEPS });
+        let grid = TimeGrid { duration, steps: STEPS };
         let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        if let Some(closed) = self.law_flown() {
+            let (from, _) = closed.start(&forced, start);
+            let response = respond_closed(&closed.closed, &forced, &from, grid);
+            return closed.modes.get(index).is_some_and(|mode| mode.shows(&response, VISIBLE));
+        }
+        let response = respond(&forced, grid);
         Output::of(self.scenario.plane).iter().take(4).any(|output| {
             let row = output.row(model, &forced);
             let whole = largest(&row.of(&forced, &response).collect::<Vec<f64>>());

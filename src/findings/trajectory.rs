@@ -8,10 +8,11 @@ use crate::flight::aircraft::aircraft_model::AircraftModel;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::states::{AILERON, Lateral, Longitudinal};
 use crate::flight::analysis::{Motion, STANDARD_GRAVITY};
-use crate::flight::motion::flight_path::FlightPath;
+use crate::flight::motion::flight_path::{Bite, FlightPath};
 use crate::flight::motion::outputs::Output;
+use crate::flight::motion::servos::as_array;
 use crate::flight::{Channel, Start};
-use crate::scenario::Scenario;
+use crate::scenario::{Notation, Scenario};
 
 /// The largest angle that a mode flown alone is made to show \[rad\].
 const EXAGGERATED_TO: f64 = 0.25;
@@ -24,7 +25,7 @@ const DRAG_FOR_THE_EYE: f64 = 0.1;
 pub struct Trajectory<'a> {
     /// The scenario that it follows from.
     pub scenario: &'a Scenario,
-    /// The linear motion.
+    /// The linear motion, under the law of feedback where there is one.
     pub motion: &'a Motion,
     /// The nonlinear flight, shown in its place.
     flight: Option<&'a FlightPath>,
@@ -67,7 +68,7 @@ pub struct MomentArrow {
 impl Findings {
     /// The motion as it is flown; the nonlinear flight if that is asked for and there is one.
     pub fn trajectory(&self, nonlinear: bool) -> Option<Trajectory<'_>> {
-        let motion = self.motion()?;
+        let motion = self.flown_motion()?;
         let flight = if nonlinear { self.flight() } else { None };
         let flight =
             flight.and_then(|flight| flight.as_ref().ok()).filter(|flight| !flight.samples.is_empty());
@@ -110,6 +111,11 @@ impl Trajectory<'_> {
     pub fn flown_until(&self) -> f64 {
         let last_small = self.motion.small_until.filter(|_| self.flight.is_none());
         last_small.map_or(self.end(), |time| (time - self.motion.response.dt).max(0.0))
+    }
+
+    /// Where limits of the controls hold the law back; of a nonlinear flight under one.
+    pub fn bites(&self) -> &[Bite] {
+        self.flight.map_or(&[], |flight| &flight.bites)
     }
 
     /// The aircraft at a time \[s\]; after [`Self::flown_until`] it stays where it was.
@@ -176,15 +182,19 @@ impl Trajectory<'_> {
         }
         let (a, states) = (&self.motion.model.a, &self.motion.response.states);
         let (x, _) = self.state(time.min(self.flown_until()));
+        let by = |velocity, angle| match self.scenario.notation {
+            Notation::Velocities => velocity,
+            Notation::Angles => angle,
+        };
         let rows: &[(&'static str, usize, usize, usize, bool)] = match self.motion.model.plane {
             Plane::Longitudinal => &[
-                ("M′_w w", 1, Longitudinal::Q.index(), Longitudinal::W.index(), false),
+                (by("M′_w w", "M′_α α"), 1, Longitudinal::Q.index(), Longitudinal::W.index(), false),
                 ("M′_q q", 1, Longitudinal::Q.index(), Longitudinal::Q.index(), true),
             ],
             Plane::Lateral => &[
-                ("N′_v v", 2, Lateral::R.index(), Lateral::V.index(), false),
+                (by("N′_v v", "N′_β β"), 2, Lateral::R.index(), Lateral::V.index(), false),
                 ("N′_r r", 2, Lateral::R.index(), Lateral::R.index(), true),
-                ("L′_v v", 0, Lateral::P.index(), Lateral::V.index(), false),
+                (by("L′_v v", "L′_β β"), 0, Lateral::P.index(), Lateral::V.index(), false),
                 ("L′_p p", 0, Lateral::P.index(), Lateral::P.index(), true),
             ],
         };
@@ -221,10 +231,8 @@ impl Trajectory<'_> {
     /// State and path at a time, straight between the samples.
     fn state(&self, t: f64) -> (Vector4<f64>, Vector2<f64>) {
         let response = &self.motion.response;
-        let last = response.states.len().saturating_sub(1);
-        let position = if response.dt > 0.0 { (t / response.dt).clamp(0.0, last as f64) } else { 0.0 };
-        let (k, fraction) = (position as usize, position.fract());
-        let next = (k + 1).min(last);
+        let (k, fraction) = place(t, response.dt, response.states.len());
+        let next = (k + 1).min(response.states.len().saturating_sub(1));
         let between = |a: f64, b: f64| a + fraction * (b - a);
         (
             response.states[k].zip_map(&response.states[next], between),
@@ -233,19 +241,33 @@ impl Trajectory<'_> {
     }
 
     fn deflections(&self, t: f64) -> [f64; 3] {
-        let of = |channel: Channel| -> f64 {
+        let [elevator, aileron, rudder] = self.controls(t);
+        // Bare matrices may count δa either way, which is told by what it does: L_δa > 0 rolls to the right.
+        let counted_left = matches!(self.scenario.edited.aircraft_model, AircraftModel::Matrices(_))
+            && self.motion.model.plane == Plane::Lateral
+            && self.motion.model.b[(Lateral::P.index(), AILERON)] < 0.0;
+        let sense = if counted_left { -1.0 } else { 1.0 };
+        [elevator, sense * aileron, rudder]
+    }
+
+    /// Elevator, aileron and rudder: what the pilot does, and the law.
+    fn controls(&self, t: f64) -> [f64; 3] {
+        if let Some(flight) = self.flight {
+            let (k, fraction) = place(t, flight.dt, flight.samples.len());
+            let at = |k: usize| flight.samples.get(k).map_or([0.0; 4], |sample| as_array(&sample.controls));
+            let (before, after) = (at(k), at((k + 1).min(flight.samples.len().saturating_sub(1))));
+            return [0, 2, 3].map(|i| before[i] + fraction * (after[i] - before[i]));
+        }
+        let of = |channel: Channel, input: usize| -> f64 {
             let inputs = &self.motion.experiment.inputs;
-            inputs.iter().filter(|(of, _)| *of == channel).map(|(_, input)| input.at(t)).sum()
+            let by_pilot: f64 =
+                inputs.iter().filter(|(of, _)| *of == channel).map(|(_, input)| input.at(t)).sum();
+            by_pilot + self.motion.by_law.as_ref().map_or(0.0, |inputs| inputs[input].at(t))
         };
+        let [first, second] = [of(Channel::First, 0), of(Channel::Second, 1)];
         match self.motion.model.plane {
-            Plane::Longitudinal => [of(Channel::First), 0.0, 0.0],
-            Plane::Lateral => {
-                // Bare matrices may count δa either way, which is told by what it does: L_δa > 0 rolls to the right.
-                let counted_left = matches!(self.scenario.edited.aircraft_model, AircraftModel::Matrices(_))
-                    && self.motion.model.b[(Lateral::P.index(), AILERON)] < 0.0;
-                let sense = if counted_left { -1.0 } else { 1.0 };
-                [0.0, sense * of(Channel::First), of(Channel::Second)]
-            }
+            Plane::Longitudinal => [first, 0.0, 0.0],
+            Plane::Lateral => [0.0, first, second],
         }
     }
 
@@ -314,4 +336,11 @@ impl Trajectory<'_> {
             AircraftModel::Derivatives(_) | AircraftModel::Matrices(_) => 0.0,
         }
     }
+}
+
+/// The sample at or before a time, and the share of the way to the next.
+fn place(t: f64, dt: f64, samples: usize) -> (usize, f64) {
+    let last = samples.saturating_sub(1);
+    let position = if dt > 0.0 { (t / dt).clamp(0.0, last as f64) } else { 0.0 };
+    (position as usize, position.fract())
 }

@@ -12,6 +12,7 @@ use super::modes::approximations::{Approximation, DownwashLag, approximations};
 use super::modes::eigen::EigenError;
 use super::modes::mode::{Mode, modes};
 use super::motion::experiment::{Experiment, forced};
+use super::motion::inputs::Input;
 use super::motion::modal_decomposition::{ModalDecomposition, SplitError, modal_decomposition};
 use super::motion::outputs::Output;
 use super::motion::response::{DrivenSystem, Response, respond};
@@ -86,6 +87,8 @@ pub struct Motion {
     /// Time \[s\] from which the motion is no small disturbance any more: the linear answer is still that of the equations, but no
     /// longer that of the aircraft.
     pub small_until: Option<f64>,
+    /// What a law of feedback moves each control by, which `forced` has too; `None` without one.
+    pub by_law: Option<[Input; 2]>,
 }
 
 impl Motion {
@@ -151,10 +154,19 @@ pub fn analyse(
     task: Option<Task>,
     experiment: &Experiment,
 ) -> Result<Analysis, AnalysisError> {
+    let mut analysis = analyse_at_rest(edited, task)?;
+    if let Some(Ok(disturbed)) = &analysis.planes[experiment.plane] {
+        analysis.motion = Some(motion(edited, disturbed, experiment));
+    }
+    Ok(analysis)
+}
+
+/// The same without a motion: where many aircraft are compared by their modes.
+pub fn analyse_at_rest(edited: &EditedModel, task: Option<Task>) -> Result<Analysis, AnalysisError> {
     let Models { mut planes, problems } = edited.models()?;
     let gravity = planes.longitudinal.as_ref().and_then(gravity_check);
     let problem = |plane: Plane| problems.iter().copied().find(|problem| problem.plane() == Some(plane));
-    let mut analysis = Analysis {
+    Ok(Analysis {
         planes: ByPlane::from_fn(|plane| match planes[plane].take() {
             Some(model) => Some(analyse_plane(model, edited, task)),
             None => problem(plane).map(|problem| Err(problem.into())),
@@ -162,11 +174,7 @@ pub fn analyse(
         margins: margins(edited),
         gravity,
         motion: None,
-    };
-    if let Some(Ok(disturbed)) = &analysis.planes[experiment.plane] {
-        analysis.motion = Some(motion(edited, disturbed, experiment));
-    }
-    Ok(analysis)
+    })
 }
 
 fn analyse_plane(
@@ -203,11 +211,12 @@ pub fn motion(edited: &EditedModel, disturbed: &PlaneAnalysis, experiment: &Expe
         experiment: experiment.clone(),
         forced,
         response,
+        by_law: None,
     }
 }
 
 /// When a motion is first seen not to be small; `None` if it never is.
-fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
+pub(crate) fn small_until(model: &PlaneModel, response: &Response) -> Option<f64> {
     let k = response.states.iter().position(|x| outgrown(model, x).is_some())?;
     Some(k as f64 * response.dt)
 }

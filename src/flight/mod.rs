@@ -28,6 +28,7 @@
 //! | [`modes`] | eigenvalues, their names, what moves them, what textbooks say of them | `aircraft` |
 //! | [`verdicts`] | static stability and handling qualities | the rooms above |
 //! | [`motion`] | disturbances, and the answers to them in time and over frequency | `aircraft`, `modes` |
+//! | [`feedback`] | a law that moves the controls, and the modes, motions and margins under it | the rooms above |
 //! | [`analysis`] | the one entry point | all of them |
 //!
 //! Nothing here reads a clock, a file or a global, and no function panics or returns a number that a view
@@ -35,6 +36,7 @@
 
 pub mod aircraft;
 pub mod analysis;
+pub mod feedback;
 pub mod modes;
 pub mod motion;
 pub mod verdicts;

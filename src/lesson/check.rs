@@ -11,6 +11,7 @@ use super::shelf::Shelf;
 use super::step::{Part, Step};
 use super::task::{Task, Wanted};
 use super::text::{Target, Text, What};
+use super::varied;
 use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
 use crate::findings::measures::Reading;
@@ -21,6 +22,27 @@ use crate::words;
 impl Lesson {
     /// Everything that is wrong with it, in the order of the file; nothing where it holds.
     pub fn check(&self, aircraft: &[Arc<Aircraft>], shelf: &Shelf) -> Vec<ContentError> {
+        let mut errors = self.faults(aircraft, shelf);
+        for shares in self.shares() {
+            let varied = self.at_shares(|vary| {
+                shares.iter().find(|(key, _)| *key == vary.parameter.key).map_or(0.5, |at| at.1)
+            });
+            for fault in varied.faults(aircraft, shelf) {
+                // One sentence a line is enough.
+                if errors.iter().all(|error| error.line != fault.line) {
+                    let numbers = varied.numbers_before(fault.line);
+                    errors.push(ContentError {
+                        problem: format!("with {numbers}: {}", fault.problem),
+                        ..fault
+                    });
+                }
+            }
+        }
+        errors.sort_by_key(|error| error.line);
+        errors
+    }
+
+    fn faults(&self, aircraft: &[Arc<Aircraft>], shelf: &Shelf) -> Vec<ContentError> {
         let mut check = Check { lesson: self, aircraft, shelf, errors: Vec::new() };
         for key in &self.references {
             check.reference(key, 1);
@@ -30,6 +52,44 @@ impl Lesson {
         errors.sort_by_key(|error| error.line);
         errors.dedup();
         errors
+    }
+
+    /// Where between their ends the varied numbers are proved: all at the same shares, each alone at its ends, and a few mixtures.
+    fn shares(&self) -> Vec<Vec<(&'static str, f64)>> {
+        let mut keys: Vec<&str> =
+            self.steps.iter().flat_map(|step| &step.vary).map(|vary| vary.parameter.key).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        if keys.is_empty() {
+            return Vec::new();
+        }
+        let all = |share: f64| keys.iter().map(|key| (*key, share)).collect::<Vec<_>>();
+        let mut shares: Vec<Vec<(&str, f64)>> = [0.0, 1.0, 0.5, 0.25, 0.75].map(all).to_vec();
+        if keys.len() > 1 {
+            for alone in 0..keys.len() {
+                for share in [0.0, 1.0] {
+                    let at = |(number, key): (usize, &&'static str)| {
+                        (*key, if number == alone { share } else { 1.0 - share })
+                    };
+                    shares.push(keys.iter().enumerate().map(at).collect());
+                }
+            }
+            // Multiples of the golden section lie nowhere twice.
+            let mixed = |round: usize| {
+                let at = |(number, key): (usize, &&'static str)| {
+                    (*key, (0.618 * (1 + number + 5 * round) as f64).fract())
+                };
+                keys.iter().enumerate().map(at).collect()
+            };
+            shares.extend((0..4).map(mixed));
+        }
+        shares
+    }
+
+    /// The varied numbers of the step in which a line stands, as links say them.
+    fn numbers_before(&self, line: usize) -> String {
+        let step = self.steps.iter().rev().find(|step| step.line <= line).or(self.steps.first());
+        step.map_or_else(String::new, |step| varied::numbers(step).join(", "))
     }
 }
 
@@ -60,10 +120,12 @@ impl Check<'_> {
                     self.answer_on_screen(prediction, &stage);
                 }
                 Part::Task(task) => self.task(task, &start),
-                Part::Text(_) | Part::Reveal(_) | Part::Write(_) => {}
+                Part::Text(_) | Part::Reveal(_) | Part::Write(_) | Part::Notes(_) => {}
             }
         }
-        step.texts().into_iter().for_each(|text| self.text(text, &start));
+        step.texts().into_iter().for_each(|text| self.text(text, &start, true));
+        // Notes speak of the clock on the wall: “give them 30 s”.
+        step.notes().for_each(|notes| self.text(&notes.text, &start, false));
     }
 
     /// What a scene leads to, without a notice.
@@ -82,7 +144,8 @@ impl Check<'_> {
         }
     }
 
-    fn text(&mut self, text: &Text, start: &Findings) {
+    /// Links and numbers of a text; whether its numbers are the model’s, which are never typed.
+    fn text(&mut self, text: &Text, start: &Findings, is_of_model: bool) {
         for span in text.spans() {
             match &span.target {
                 Some(Target::Glossary(key)) if !self.shelf.glossary.contains_key(key) => {
@@ -102,11 +165,12 @@ impl Check<'_> {
                         self.open(scene);
                     }
                     if let Some(Err(absence)) = number.value(start, self.aircraft) {
-                        let (key, why) = (number.measure.key(), words::measure::absence(&absence));
+                        let length = start.scenario().length_unit();
+                        let (key, why) = (number.measure.key(), words::measure::absence(&absence, length));
                         self.error(number.line, format!("`= {key}` has no value at this scene: {why}"));
                     }
                 }
-                What::Words(said) if !matches!(span.target, Some(Target::Source(_))) => {
+                What::Words(said) if is_of_model && !matches!(span.target, Some(Target::Source(_))) => {
                     if let Some(found) = typed_number(said) {
                         self.error(span.line, format!(
                             "“{found}” is typed: expected a number that is measured, `= KEY`, or one quoted, [{found}](source:KEY)"
@@ -165,12 +229,12 @@ impl Check<'_> {
             }
             Kind::Estimate { measure, .. } => {
                 if let Err(absence) = measure.read(after) {
-                    let why = words::measure::absence(&absence);
+                    let why = words::measure::absence(&absence, after.scenario().length_unit());
                     self.error(line, format!("{} has no value to be estimated: {why}", measure.key()));
                 }
             }
             Kind::Place { mode, .. } => {
-                if !after.modes().iter().any(|found| found.naming.name == *mode) {
+                if !after.flown_modes().iter().any(|found| found.naming.name == *mode) {
                     let name = words::mode::in_a_sentence(*mode);
                     self.error(line, format!("there is no {name} to be placed in the plane on screen"));
                 }
@@ -237,10 +301,10 @@ impl Check<'_> {
         }
         for (condition, progress) in task.until.iter().zip(progress(task, start, &solved, self.aircraft)) {
             if !progress.met {
-                let length = solved.scenario().aircraft.length_unit;
+                let convention = solved.scenario().convention();
                 let found = match &progress.now {
-                    Ok(reading) => words::measure::reading(condition.measure, *reading, length),
-                    Err(absence) => words::measure::absence(absence),
+                    Ok(reading) => words::measure::reading(condition.measure, *reading, convention),
+                    Err(absence) => words::measure::absence(absence, convention.length),
                 };
                 let key = condition.measure.key();
                 self.error(condition.line, format!("the solution doesn’t meet this: {key} is {found}"));

@@ -6,8 +6,9 @@ use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 
 use super::scene::Scene;
 use super::step::{Part, Step};
-use super::text::{BLOCKS, OPTIONS, Text};
-use super::{prediction_file, task_file, writing};
+use super::text::{BLOCKS, NOTES, OPTIONS, Text};
+use super::vary::{self, Vary};
+use super::{notes, prediction_file, task_file, writing};
 use crate::content::ContentError;
 use crate::content::reader::{Block, line_of, with_file};
 
@@ -26,8 +27,12 @@ pub struct Lesson {
     pub needs: Vec<String>,
     /// Keys of the references that it rests on.
     pub references: Vec<String>,
+    /// Whether it is made to be presented to a room.
+    pub lecture: bool,
     /// Its steps, at least one.
     pub steps: Vec<Step>,
+    /// A word that is another for every other text of the file.
+    pub version: String,
 }
 
 /// The line around the front matter.
@@ -46,7 +51,9 @@ impl Lesson {
                 language: block.optional_text("language")?.unwrap_or_else(|| "en".to_owned()),
                 needs: block.texts("needs")?,
                 references: block.texts("references")?,
+                lecture: block.optional_flag("lecture")?.unwrap_or_default(),
                 steps: Vec::new(),
+                version: version(text),
             };
             block.finish()?;
             Ok(lesson)
@@ -60,6 +67,16 @@ impl Lesson {
         let name = self.file.rsplit(['/', '\\']).next().unwrap_or_default();
         name.strip_suffix(".md").unwrap_or(name)
     }
+
+    /// How long it is to take \[min\], where its notes say so.
+    pub fn minutes(&self) -> Option<f64> {
+        self.steps.iter().filter_map(Step::minutes).reduce(|sum, minutes| sum + minutes)
+    }
+}
+
+/// Of the text of a lesson, whatever its lines end with.
+fn version(text: &str) -> String {
+    format!("{:016x}", vary::hash(&text.replace("\r\n", "\n")))
 }
 
 fn error(file: &str, line: usize, problem: impl Into<String>) -> ContentError {
@@ -100,8 +117,8 @@ fn with_block<T>(
 /// A piece of the file on its own level.
 enum Piece {
     Heading(HeadingLevel),
-    /// A fenced block by its word.
-    Block(&'static str, Range<usize>),
+    /// A fenced block by its word, what follows the word, and what is inside.
+    Block(&'static str, String, Range<usize>),
     Text,
 }
 
@@ -118,11 +135,11 @@ fn pieces(text: &str, body: usize) -> Vec<(Piece, Range<usize>)> {
                     let piece = match tag {
                         Tag::Heading { level, .. } if level <= HeadingLevel::H2 => Piece::Heading(level),
                         Tag::CodeBlock(CodeBlockKind::Fenced(info)) => {
-                            match BLOCKS.into_iter().find(|word| *word == &*info) {
-                                Some(word) => {
+                            match block(&info) {
+                                Some((word, after)) => {
                                     // An empty block has no text: it stands where the fence ends.
                                     inside = Some(range.end..range.end);
-                                    Piece::Block(word, range.end..range.end)
+                                    Piece::Block(word, after.to_owned(), range.end..range.end)
                                 }
                                 None => Piece::Text,
                             }
@@ -142,7 +159,7 @@ fn pieces(text: &str, body: usize) -> Vec<(Piece, Range<usize>)> {
                 depth = depth.saturating_sub(1);
                 if depth == 0
                     && tag == TagEnd::CodeBlock
-                    && let (Some(found), Some((Piece::Block(_, part), _))) =
+                    && let (Some(found), Some((Piece::Block(_, _, part), _))) =
                         (inside.take(), pieces.last_mut())
                 {
                     *part = found;
@@ -156,9 +173,16 @@ fn pieces(text: &str, body: usize) -> Vec<(Piece, Range<usize>)> {
     pieces
 }
 
+/// The word of a block and what follows it; only notes have more than the word.
+fn block(info: &str) -> Option<(&'static str, &str)> {
+    let (first, after) = info.split_once(char::is_whitespace).unwrap_or((info, ""));
+    let word = BLOCKS.into_iter().find(|word| *word == first)?;
+    (after.trim().is_empty() || word == NOTES).then_some((word, after))
+}
+
 fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError> {
     let mut steps: Vec<Step> = Vec::new();
-    let mut scenes: Vec<Option<Scene>> = Vec::new();
+    let mut scenes: Vec<Option<(Scene, Vec<Vary>)>> = Vec::new();
     let mut running: Option<Range<usize>> = None;
     for (piece, range) in pieces(text, body) {
         let line = line_of(text, range.start);
@@ -180,6 +204,7 @@ fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError>
                 steps.push(Step {
                     title,
                     scene: Scene { link: String::new(), line },
+                    vary: Vec::new(),
                     parts: Vec::new(),
                     line,
                 });
@@ -189,7 +214,7 @@ fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError>
                 let problem = "expected ## for a step; the title of the lesson stands in the front matter";
                 return Err(error(file, line, problem));
             }
-            Piece::Block(word, part) => {
+            Piece::Block(word, after, part) => {
                 let (Some(step), Some(scene)) = (steps.last_mut(), scenes.last_mut()) else {
                     return Err(error(file, line, "expected a step: ## and its heading"));
                 };
@@ -200,8 +225,9 @@ fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError>
                     "scene" => {
                         *scene = Some(with_block(file, text, part, |block| {
                             let link = block.text("link")?;
+                            let vary = vary::read(block)?;
                             block.finish()?;
-                            Ok(Scene { link, line: block.line("link") })
+                            Ok((Scene { link, line: block.line("link") }, vary))
                         })?);
                     }
                     "reveal" => {
@@ -211,6 +237,10 @@ fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError>
                     "predict" => step.parts.push(Part::Prediction(with_block(file, text, part, |block| {
                         prediction_file::read(file, line, block)
                     })?)),
+                    NOTES => {
+                        let inside = (line_of(text, part.start), &text[part]);
+                        step.parts.push(Part::Notes(notes::read(file, (line, &after), inside)?));
+                    }
                     "write" => step.parts.push(Part::Write(with_block(file, text, part, |block| {
                         writing::read(file, line, block)
                     })?)),
@@ -224,13 +254,13 @@ fn steps(file: &str, text: &str, body: usize) -> Result<Vec<Step>, ContentError>
         }
     }
     take_text(file, text, &mut running, &mut steps)?;
-    let mut before: Option<Scene> = None;
+    let mut before: Option<(Scene, Vec<Vary>)> = None;
     for (step, scene) in steps.iter_mut().zip(scenes) {
         before = scene.or(before);
-        let Some(scene) = &before else {
+        let Some((scene, vary)) = &before else {
             return Err(error(file, step.line, "expected a block ```scene in the first step"));
         };
-        step.scene = scene.clone();
+        (step.scene, step.vary) = (scene.clone(), vary.clone());
     }
     if steps.is_empty() {
         return Err(error(file, line_of(text, body), "expected a step: ## and its heading"));

@@ -53,6 +53,9 @@ pub struct Given {
     /// The answer as it stands, final or not; of a question or something to write.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub answer: Option<Answer>,
+    /// Answers to a question that were given before and are wrong, where more than one may be given.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub earlier: Vec<Answer>,
     /// Whether the answer was given once and for all: from then on it is compared, and what it was asked for is shown.
     #[serde(rename = "final")]
     pub is_final: bool,
@@ -72,6 +75,25 @@ impl Given {
         self.answer.as_ref().filter(|_| self.is_final)
     }
 
+    /// Gives the answer as it stands: it is final if it is right, or if no more may follow; otherwise it can be changed.
+    pub fn give(&mut self, is_right: bool, tries: u32) {
+        let Some(answer) = &self.answer else { return };
+        if is_right || self.tries_left(tries) <= 1 {
+            self.is_final = true;
+        } else {
+            self.earlier.push(answer.clone());
+        }
+    }
+
+    /// How many of so many answers may still be given.
+    pub fn tries_left(&self, tries: u32) -> u32 {
+        if self.is_final {
+            0
+        } else {
+            tries.saturating_sub(u32::try_from(self.earlier.len()).unwrap_or(u32::MAX))
+        }
+    }
+
     /// Makes an answer final.
     pub fn answer(&mut self, answer: Answer) {
         (self.answer, self.is_final) = (Some(answer), true);
@@ -84,6 +106,22 @@ impl Given {
 
     fn is_blank(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// Takes over what is missing here: answers that have come further, and a goal that was reached with the help that there was until
+    /// then.
+    fn complete(&mut self, other: Self) {
+        let answered = |given: &Self| (given.is_final, given.earlier.len(), given.answer.is_some());
+        if answered(&other) > answered(self) {
+            (self.answer, self.earlier, self.is_final) = (other.answer, other.earlier, other.is_final);
+        }
+        if self.reached == other.reached {
+            self.hints = self.hints.max(other.hints);
+            self.solution_shown |= other.solution_shown;
+        } else if other.reached {
+            (self.hints, self.solution_shown, self.reached) = (other.hints, other.solution_shown, true);
+        }
+        self.tries = self.tries.max(other.tries);
     }
 }
 
@@ -111,10 +149,7 @@ impl Answers {
     /// Takes over from others what is missing here.
     pub fn complete(&mut self, others: Self) {
         for (place, given) in others.0 {
-            let own = self.0.entry(place).or_default();
-            if own.is_blank() {
-                *own = given;
-            }
+            self.0.entry(place).or_default().complete(given);
         }
     }
 
@@ -129,7 +164,7 @@ impl Answers {
             let part = lesson.steps.get(place.step).and_then(|step| step.parts.get(place.part));
             match part {
                 Some(Part::Prediction(prediction)) => {
-                    given.answer.as_ref().is_none_or(|answer| answer.fits(&prediction.kind))
+                    given.earlier.iter().chain(&given.answer).all(|answer| answer.fits(&prediction.kind))
                 }
                 Some(Part::Write(_)) => given
                     .answer
@@ -137,9 +172,9 @@ impl Answers {
                     .is_none_or(|answer| matches!(answer, Answer::Text(_) | Answer::DontKnow)),
                 Some(Part::Task(task)) => {
                     given.hints = given.hints.min(task.hints.len());
-                    given.answer.is_none()
+                    given.answer.is_none() && given.earlier.is_empty()
                 }
-                Some(Part::Text(_) | Part::Reveal(_)) | None => false,
+                Some(Part::Text(_) | Part::Reveal(_) | Part::Notes(_)) | None => false,
             }
         });
         self

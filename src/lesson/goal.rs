@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use super::given::Given;
 use super::moves::moves;
 use super::task::{Amount, Condition, Task, Wanted};
 use crate::content::Aircraft;
 use crate::findings::Findings;
 use crate::findings::measures::{Absence, Reading};
-use crate::scenario::Scenario;
+use crate::scenario::{Parameter, Scenario};
 
 /// How near a condition is.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,12 +30,61 @@ pub fn progress(task: &Task, start: &Findings, now: &Findings, aircraft: &[Arc<A
     task.until.iter().map(|condition| condition.progress(start, now, aircraft)).collect()
 }
 
+/// Why a scene doesn't count, whatever is measured there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// It is of another aircraft than the start.
+    OtherAircraft,
+    /// Its levels are judged for another class or category than at the start.
+    OtherTask,
+    /// These were moved and aren't offered.
+    NotOffered(Vec<&'static str>),
+    /// More sliders differ from the start than may.
+    TooMany {
+        /// How many differ.
+        found: usize,
+        /// How many may.
+        most: usize,
+    },
+}
+
 impl Task {
-    /// Whether every condition is met, by no more changes than are allowed.
+    /// Whether the scene counts and every condition is met.
     pub fn is_met(&self, start: &Findings, now: &Findings, aircraft: &[Arc<Aircraft>]) -> bool {
-        let changed = changes(start.scenario(), now.scenario());
-        self.changes.is_none_or(|most| changed.len() <= most)
+        self.unfit(start, now).is_none()
             && progress(self, start, now, aircraft).iter().all(|progress| progress.met)
+    }
+
+    /// Whether its points are earned by what was given: the goal is reached, without its solution, and without a hint where
+    /// that counts.
+    pub const fn is_earned(&self, given: &Given) -> bool {
+        given.is_unaided() && !(self.unaided && given.hints > 0)
+    }
+
+    /// Why a scene doesn't count for it. The disturbance may be another: it tells what the aircraft does, and doesn't change it.
+    pub fn unfit(&self, start: &Findings, now: &Findings) -> Option<Unfit> {
+        let (start, now) = (start.scenario(), now.scenario());
+        if now.aircraft.key != start.aircraft.key {
+            return Some(Unfit::OtherAircraft);
+        }
+        if now.task != start.task {
+            return Some(Unfit::OtherTask);
+        }
+        let moved = moves(start, now);
+        let is_offered = |parameter: &Parameter| {
+            self.offer.is_empty() || parameter.is_of_disturbance() || self.offer.contains(&parameter)
+        };
+        let strangers: Vec<&str> = moved
+            .iter()
+            .map(|step| step.parameter)
+            .filter(|parameter| !is_offered(parameter))
+            .map(|parameter| parameter.key)
+            .collect();
+        if !strangers.is_empty() {
+            return Some(Unfit::NotOffered(strangers));
+        }
+        let found = moved.len();
+        self.changes.filter(|most| found > *most).map(|most| Unfit::TooMany { found, most })
     }
 }
 

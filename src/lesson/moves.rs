@@ -2,7 +2,7 @@
 
 use crate::number::trimmed;
 use crate::scenario::stage::TIME;
-use crate::scenario::{Parameter, Scenario, parameters};
+use crate::scenario::{Parameter, Scenario, Written, parameters};
 
 /// The movement of one slider. What follows from others moves by what is added to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,9 +42,8 @@ impl Move {
 
     /// From where to where, with its unit: "−0.683 → −1.4 1/rad".
     pub fn in_words(&self, scenario: &Scenario) -> String {
-        let (length, dimension) = (scenario.aircraft.length_unit, self.parameter.dimension);
-        let shown = |value: f64| trimmed(value / dimension.in_si(length), 3);
-        let unit = dimension.symbol(length);
+        let Written { unit, in_si, .. } = self.parameter.written(scenario.convention());
+        let shown = |value: f64| trimmed(value / in_si, 3);
         format!("{} → {} {unit}", shown(self.values.0), shown(self.values.1)).trim_end().to_owned()
     }
 }

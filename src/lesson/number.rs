@@ -36,13 +36,16 @@ impl Number {
     /// leads nowhere.
     pub fn value(&self, findings: &Findings, aircraft: &[Arc<Aircraft>]) -> Option<Result<String, Absence>> {
         let elsewhere = match &self.at {
-            Some(scene) => Some(Findings::of(scene.open(aircraft)?.scenario)),
+            Some(scene) => {
+                let scenario = scene.open(aircraft)?.scenario;
+                Some(Findings::of(scenario.shown_as(findings.scenario())))
+            }
             None => None,
         };
         let findings = elsewhere.as_ref().unwrap_or(findings);
-        let length = findings.scenario().aircraft.length_unit;
+        let convention = findings.scenario().convention();
         let reading = self.measure.read(findings);
-        Some(reading.map(|reading| words::measure::reading(self.measure, reading, length)))
+        Some(reading.map(|reading| words::measure::reading(self.measure, reading, convention)))
     }
 }
 

@@ -15,6 +15,10 @@ pub struct Prediction {
     pub kind: Kind,
     /// The scene that has the answer, where it isn't that of the step.
     pub after: Option<Scene>,
+    /// How many answers may be given, until one is right.
+    pub tries: u32,
+    /// What a right answer is worth; `None` where the file says nothing.
+    pub points: Option<f64>,
     /// Line of the file, counted from 1.
     pub line: usize,
 }
@@ -106,6 +110,29 @@ impl Prediction {
             Kind::Sketch { first, oscillates, ends, .. } => texts.extend([first, oscillates, ends]),
             Kind::Order { items, because, .. } => {
                 texts.extend(items.iter().map(|item| &item.says));
+                texts.push(because);
+            }
+        }
+        texts
+    }
+
+    /// The same, to be changed.
+    pub(super) fn texts_mut(&mut self) -> Vec<&mut Text> {
+        let mut texts = vec![&mut self.ask];
+        match &mut self.kind {
+            Kind::Choose { choices, .. } => {
+                texts.extend(
+                    choices
+                        .iter_mut()
+                        .flat_map(|choice| [Some(&mut choice.says), choice.because.as_mut()])
+                        .flatten(),
+                );
+            }
+            Kind::Estimate { wrong_way, far, .. } => texts.extend([wrong_way, far]),
+            Kind::Place { wrong_side, far, .. } => texts.extend([wrong_side, far]),
+            Kind::Sketch { first, oscillates, ends, .. } => texts.extend([first, oscillates, ends]),
+            Kind::Order { items, because, .. } => {
+                texts.extend(items.iter_mut().map(|item| &mut item.says));
                 texts.push(because);
             }
         }

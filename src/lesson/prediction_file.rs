@@ -65,8 +65,10 @@ pub(super) fn read(file: &str, line: usize, block: &mut Block<'_>) -> Result<Pre
             }
         }
     };
+    let tries = count(block, "tries")?.unwrap_or(1);
+    let points = points(block)?;
     block.finish()?;
-    Ok(Prediction { ask, kind, after, line })
+    Ok(Prediction { ask, kind, after, tries, points, line })
 }
 
 fn read_choice(file: &str, mut block: Block<'_>) -> Result<Choice, ContentError> {
@@ -85,6 +87,25 @@ fn read_item(file: &str, mut block: Block<'_>) -> Result<Item, ContentError> {
     let scene = Scene { link: block.text("link")?, line: block.line("link") };
     block.finish()?;
     Ok(Item { says, scene })
+}
+
+/// A whole number from 1 on.
+pub(super) fn count<'t>(block: &mut Block<'t>, key: &'t str) -> Result<Option<u32>, ContentError> {
+    match block.optional_positive(key)? {
+        Some(number) if number.fract() == 0.0 && number <= f64::from(u16::MAX) => Ok(Some(number as u32)),
+        Some(number) => Err(block.error(key, format_args!("expected a whole number, found {number}"))),
+        None => Ok(None),
+    }
+}
+
+/// What the part is worth: zero or more.
+pub(super) fn points(block: &mut Block<'_>) -> Result<Option<f64>, ContentError> {
+    match block.optional_number("points")? {
+        Some(points) if points < 0.0 => {
+            Err(block.error("points", format_args!("expected a number of points, found {points}")))
+        }
+        points => Ok(points),
+    }
 }
 
 /// Markdown in a field.

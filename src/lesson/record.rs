@@ -1,5 +1,6 @@
 //! What one person has done in their lessons: kept on their device, written into a report, and read from it again.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,12 @@ use crate::content::TextFile;
 pub struct Record {
     /// Title of the lesson.
     pub title: String,
+    /// The version of its file, see [`Lesson::version`].
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub version: String,
+    /// The name or number from which its varied numbers follow; empty where none vary, or nobody was asked yet.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub seed: String,
     /// The step that is open, counted from 0.
     pub step: usize,
     /// Steps that have been open.
@@ -23,12 +30,27 @@ pub struct Record {
     pub answers: Answers,
     /// Links to the scenes in which goals were reached, or with which their steps were left.
     pub scenes: BTreeMap<Place, String>,
+    /// How often it was begun again, without what had been answered before.
+    #[serde(skip_serializing_if = "is_none")]
+    pub begun_again: u32,
     /// The files of a lesson that isn't beside the page.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub files: Vec<TextFile>,
 }
 
+/// Whether there is nothing to be written.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives what it writes by reference")]
+const fn is_none(count: &u32) -> bool {
+    *count == 0
+}
+
 impl Record {
+    /// The lesson as it is when it is begun again: its file, its version and whose numbers it has stay.
+    pub fn begun_again(&self) -> Self {
+        let Self { title, version, seed, begun_again, files, .. } = self.clone();
+        Self { title, version, seed, begun_again: begun_again.saturating_add(1), files, ..Self::default() }
+    }
+
     /// How many steps of a lesson are done, of those that it has: every question has its answer, and every goal is reached.
     pub fn done(&self, lesson: &Lesson) -> (usize, usize) {
         let count = lesson.steps.len();
@@ -43,21 +65,41 @@ impl Record {
             match what {
                 Part::Prediction(_) => given.is_some_and(|given| given.is_final),
                 Part::Task(_) => given.is_some_and(|given| given.reached),
-                Part::Text(_) | Part::Reveal(_) | Part::Write(_) => true,
+                Part::Text(_) | Part::Reveal(_) | Part::Write(_) | Part::Notes(_) => true,
             }
         };
         self.seen.contains(&step) && parts.iter().enumerate().all(is_done)
     }
 
+    /// Takes over what was done in the same lesson on another page of this device. What was begun again on either is begun again on both;
+    /// of another lesson in a file of the same name nothing is taken over.
+    pub fn join(&mut self, other: Self) {
+        if !self.title.is_empty() && !other.title.is_empty() && self.title != other.title {
+            return;
+        }
+        match self.begun_again.cmp(&other.begun_again) {
+            Ordering::Less => *self = Self { step: self.step, ..other },
+            Ordering::Equal => self.complete(other),
+            Ordering::Greater => {}
+        }
+    }
+
     /// Takes over from another record what is missing here.
     fn complete(&mut self, other: Self) {
+        if self.title.is_empty() {
+            (self.title, self.version) = (other.title, other.version);
+        }
         self.seen.extend(other.seen);
         self.answers.complete(other.answers);
         for (place, scene) in other.scenes {
             self.scenes.entry(place).or_insert(scene);
         }
+        self.begun_again = self.begun_again.max(other.begun_again);
         if self.files.is_empty() {
             self.files = other.files;
+        }
+        if self.seed.is_empty() {
+            self.seed = other.seed;
         }
     }
 }
@@ -92,6 +134,11 @@ impl Records {
         serde_json::from_str(json)
     }
 
+    /// Whether a page carries records.
+    pub fn are_in(text: &str) -> bool {
+        text.contains(BEGINS)
+    }
+
     /// As an element of a page, which shows nothing of it.
     pub fn to_element(&self) -> String {
         // No text in it can end the element.
@@ -100,12 +147,28 @@ impl Records {
 
     /// Takes over from others what is missing here. Nothing that is here is lost.
     pub fn complete(&mut self, others: Self) {
+        self.with(others, Record::complete);
+    }
+
+    /// Takes over what was done on another page of this device, see [`Record::join`].
+    pub fn join(&mut self, others: Self) {
+        self.with(others, Record::join);
+    }
+
+    /// Whether something was done here that others don't have.
+    pub fn adds_to(&self, others: &Self) -> bool {
+        let mut both = others.clone();
+        both.join(self.clone());
+        both != *others
+    }
+
+    fn with(&mut self, others: Self, take_over: impl Fn(&mut Record, Record)) {
         if self.person.is_empty() {
             self.person = others.person;
         }
         for (address, record) in others.lessons {
             match self.lessons.get_mut(&address) {
-                Some(own) => own.complete(record),
+                Some(own) => take_over(own, record),
                 None => {
                     self.lessons.insert(address, record);
                 }

@@ -16,6 +16,10 @@ pub struct Task {
     pub offer: Vec<&'static Parameter>,
     /// How many of them may differ from the start at most.
     pub changes: Option<usize>,
+    /// What it is worth to reach the goal without the solution; `None` where the file says nothing.
+    pub points: Option<f64>,
+    /// Whether a hint costs the points too.
+    pub unaided: bool,
     /// When the solution is shown.
     pub solution_after: SolutionAfter,
     /// Hints, shown one at a time.

@@ -1,7 +1,7 @@
 //! The reader of a task: the fenced block `task`.
 
 use super::number::unknown;
-use super::prediction_file::{measure_of, scene, text};
+use super::prediction_file::{count, measure_of, points, scene, text};
 use super::scene::Scene;
 use super::task::{Amount, Condition, SolutionAfter, Task, Wanted};
 use super::text::Text;
@@ -33,7 +33,9 @@ pub(super) fn read(file: &str, line: usize, block: &mut Block<'_>) -> Result<Tas
             Parameter::find(key).ok_or_else(|| block.error("offer", unknown("parameter", key, keys())))
         })
         .collect::<Result<_, _>>()?;
-    let changes = count(block, "changes_at_most")?;
+    let changes = count(block, "changes_at_most")?.map(|most| most as usize);
+    let points = points(block)?;
+    let unaided = block.optional_flag("unaided")?.unwrap_or(false);
     let solution_after = solution_after(block)?;
     let line_of_hints = block.line("hints");
     let hints = block.texts("hints")?;
@@ -45,15 +47,7 @@ pub(super) fn read(file: &str, line: usize, block: &mut Block<'_>) -> Result<Tas
         return Err(block.error("until", "missing; expected at least one condition, [[until]]"));
     }
     block.finish()?;
-    Ok(Task { goal, offer, changes, solution_after, hints, solution, until, line })
-}
-
-fn count(block: &mut Block<'_>, key: &'static str) -> Result<Option<usize>, ContentError> {
-    match block.optional_positive(key)? {
-        Some(number) if number.fract() == 0.0 && number <= f64::from(u16::MAX) => Ok(Some(number as usize)),
-        Some(number) => Err(block.error(key, format_args!("expected a whole number, found {number}"))),
-        None => Ok(None),
-    }
+    Ok(Task { goal, offer, changes, points, unaided, solution_after, hints, solution, until, line })
 }
 
 fn solution_after(block: &mut Block<'_>) -> Result<SolutionAfter, ContentError> {

@@ -122,8 +122,11 @@ impl Target {
     }
 }
 
+/// The word of notes, the only block with more than its word after the fence.
+pub(super) const NOTES: &str = "notes";
+
 /// The words after the fence of a block of a lesson.
-pub(super) const BLOCKS: [&str; 5] = ["scene", "predict", "reveal", "task", "write"];
+pub(super) const BLOCKS: [&str; 6] = ["scene", "predict", "reveal", "task", "write", NOTES];
 
 /// The word after the fence of a formula on a line of its own.
 const MATH: &str = "math";
@@ -150,6 +153,18 @@ impl Text {
     /// All of its spans.
     pub fn spans(&self) -> impl Iterator<Item = &Span> {
         self.blocks.iter().flat_map(|block| block.spans())
+    }
+
+    /// All of its spans, to be changed.
+    pub(super) fn spans_mut(&mut self) -> impl Iterator<Item = &mut Span> {
+        self.blocks.iter_mut().flat_map(|block| match block {
+            TextBlock::Paragraph(spans)
+            | TextBlock::Heading(spans)
+            | TextBlock::Quote(spans)
+            | TextBlock::Item { spans, .. } => spans.iter_mut().collect(),
+            TextBlock::Table(rows) => rows.iter_mut().flatten().flatten().collect(),
+            TextBlock::Code(_) | TextBlock::Formula(_) => Vec::new(),
+        })
     }
 
     /// Its words without any form, numbers measured at a scene.
@@ -312,7 +327,10 @@ impl Reader<'_> {
                 self.formula = Some(offset);
             }
             Tag::CodeBlock(CodeBlockKind::Fenced(info)) if !info.is_empty() => {
-                let problem = unknown("block of a lesson", &info, BLOCKS.into_iter().chain([MATH]));
+                // Only notes have more than a word.
+                let word = info.split_whitespace().next().filter(|word| !BLOCKS.contains(word));
+                let word = word.unwrap_or(&info);
+                let problem = unknown("block of a lesson", word, BLOCKS.into_iter().chain([MATH]));
                 return Err(self.error(offset, problem));
             }
             Tag::Table(_) => self.flush(),

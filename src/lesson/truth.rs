@@ -50,11 +50,11 @@ impl Prediction {
                 before: elsewhere.as_ref().and_then(|_| number(*measure, start)),
             }),
             Kind::Place { mode, .. } => {
-                let mode = there.modes().iter().find(|found| found.naming.name == *mode)?;
+                let mode = there.flown_modes().iter().find(|found| found.naming.name == *mode)?;
                 Some(Truth::Pole(mode.lambda))
             }
             Kind::Sketch { output, .. } => {
-                let motion = there.motion()?;
+                let motion = there.flown_motion()?;
                 let values = motion.values(*output);
                 // What is no small disturbance any more is no part of the answer.
                 let small = motion.small_samples().min(values.len());

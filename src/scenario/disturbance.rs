@@ -1,6 +1,7 @@
 //! The disturbances a person can choose: what moves, in which shape, and how strongly, each remembered.
 
 use crate::flight::aircraft::plane::{ByPlane, Plane};
+use crate::flight::motion::command::Command;
 use crate::flight::motion::inputs::Input;
 use crate::flight::{Channel, Start};
 use crate::key::keys;
@@ -31,6 +32,18 @@ pub enum Source {
     Release,
     /// One mode alone, from its own shape.
     OneMode,
+    /// The law of feedback is told another pitch angle.
+    PitchCommand,
+    /// Likewise, another speed.
+    SpeedCommand,
+    /// Likewise, another height.
+    HeightCommand,
+    /// Likewise, a bank angle.
+    BankCommand,
+    /// Likewise, a yaw rate.
+    YawRateCommand,
+    /// Likewise, another heading.
+    HeadingCommand,
 }
 
 keys! {
@@ -45,6 +58,12 @@ keys! {
         Turbulence => "turbulence",
         Release => "release",
         OneMode => "mode",
+        PitchCommand => "pitch-command",
+        SpeedCommand => "speed-command",
+        HeightCommand => "height-command",
+        BankCommand => "bank-command",
+        YawRateCommand => "yaw-rate-command",
+        HeadingCommand => "heading-command",
     }
 }
 
@@ -114,6 +133,18 @@ pub struct Sizes {
     pub seed: f64,
     /// Released so far from steady flight: u, α, q, θ \[m/s, rad, rad/s, rad\] and β, p, r, φ \[rad, rad/s, rad/s, rad\].
     pub released: ByPlane<[f64; 4]>,
+    /// Pitch angle that is commanded beyond the steady one \[rad\], nose-up positive.
+    pub pitch_command: f64,
+    /// Speed likewise \[m/s\], faster positive.
+    pub speed_command: f64,
+    /// Height likewise \[m\], upward positive.
+    pub height_command: f64,
+    /// Bank angle that is commanded \[rad\], right wing down positive.
+    pub bank_command: f64,
+    /// Yaw rate likewise \[rad/s\], nose right positive.
+    pub yaw_rate_command: f64,
+    /// Heading likewise \[rad\], nose right positive.
+    pub heading_command: f64,
     /// Size of one mode alone: its flow angle or attitude, whichever is larger \[rad\].
     pub mode: f64,
     /// All of the above times this, to leave the small disturbances of the linear model.
@@ -158,10 +189,43 @@ impl Source {
                 Self::Turbulence,
                 Self::Release,
                 Self::OneMode,
+                Self::PitchCommand,
+                Self::SpeedCommand,
+                Self::HeightCommand,
             ],
-            Plane::Lateral => {
-                &[Self::Rudder, Self::Aileron, Self::SideGust, Self::Turbulence, Self::Release, Self::OneMode]
-            }
+            Plane::Lateral => &[
+                Self::Rudder,
+                Self::Aileron,
+                Self::SideGust,
+                Self::Turbulence,
+                Self::Release,
+                Self::OneMode,
+                Self::BankCommand,
+                Self::YawRateCommand,
+                Self::HeadingCommand,
+            ],
+        }
+    }
+
+    /// What it tells a law of feedback; `None` of what disturbs the aircraft itself.
+    pub const fn command(self) -> Option<Command> {
+        match self {
+            Self::PitchCommand => Some(Command::PitchAngle),
+            Self::SpeedCommand => Some(Command::Speed),
+            Self::HeightCommand => Some(Command::Height),
+            Self::BankCommand => Some(Command::BankAngle),
+            Self::YawRateCommand => Some(Command::YawRate),
+            Self::HeadingCommand => Some(Command::Heading),
+            Self::Elevator
+            | Self::Throttle
+            | Self::VerticalGust
+            | Self::HeadGust
+            | Self::Aileron
+            | Self::Rudder
+            | Self::SideGust
+            | Self::Turbulence
+            | Self::Release
+            | Self::OneMode => None,
         }
     }
 
@@ -174,8 +238,19 @@ impl Source {
             Self::VerticalGust | Self::HeadGust | Self::SideGust => {
                 &[Shape::OneMinusCosine, Shape::Step, Shape::Sine]
             }
+            Self::PitchCommand
+            | Self::SpeedCommand
+            | Self::HeightCommand
+            | Self::BankCommand
+            | Self::YawRateCommand
+            | Self::HeadingCommand => &[Shape::Step],
             Self::Turbulence | Self::Release | Self::OneMode => &[],
         }
+    }
+
+    /// Whether it is a control or air, whose frequency response can be had.
+    pub fn has_frequencies(self) -> bool {
+        !self.shapes().is_empty() && self.command().is_none()
     }
 
     /// Key of the parameter that is its size, with this shape.
@@ -189,6 +264,12 @@ impl Source {
             (Self::Aileron, _) => Some("aileron"),
             (Self::Rudder, _) => Some("rudder"),
             (Self::SideGust, _) => Some("side_gust"),
+            (Self::PitchCommand, _) => Some("to_theta"),
+            (Self::SpeedCommand, _) => Some("to_u"),
+            (Self::HeightCommand, _) => Some("to_h"),
+            (Self::BankCommand, _) => Some("to_phi"),
+            (Self::YawRateCommand, _) => Some("to_r"),
+            (Self::HeadingCommand, _) => Some("to_psi"),
             (Self::Turbulence | Self::Release | Self::OneMode, _) => None,
         }
     }
@@ -209,6 +290,9 @@ impl Shape {
 impl Choice {
     /// The shape that the source has now; `None` where it has one of its own.
     pub fn shape(&self) -> Option<Shape> {
+        if self.source.command().is_some() {
+            return Some(Shape::Step);
+        }
         let own = if self.source.shapes().contains(&Shape::OneMinusCosine) {
             self.gust_shape
         } else {
@@ -285,6 +369,12 @@ impl Default for Sizes {
                 longitudinal: [0.0, 2_f64.to_radians(), 0.0, 0.0],
                 lateral: [5_f64.to_radians(), 0.0, 0.0, 0.0],
             },
+            pitch_command: 2_f64.to_radians(),
+            speed_command: 5.0,
+            height_command: 20.0,
+            bank_command: 10_f64.to_radians(),
+            yaw_rate_command: 1_f64.to_radians(),
+            heading_command: 10_f64.to_radians(),
             mode: 5_f64.to_radians(),
             times: 1.0,
             time: 60.0,
@@ -308,6 +398,12 @@ impl Disturbance {
             (Source::Aileron, _) => (Channel::First, sizes.aileron),
             (Source::Rudder, _) => (Channel::Second, sizes.rudder),
             (Source::SideGust, _) => (Channel::AirAcross, sizes.side_gust),
+            (Source::PitchCommand, _) => (Channel::Command(Command::PitchAngle), sizes.pitch_command),
+            (Source::SpeedCommand, _) => (Channel::Command(Command::Speed), sizes.speed_command),
+            (Source::HeightCommand, _) => (Channel::Command(Command::Height), sizes.height_command),
+            (Source::BankCommand, _) => (Channel::Command(Command::BankAngle), sizes.bank_command),
+            (Source::YawRateCommand, _) => (Channel::Command(Command::YawRate), sizes.yaw_rate_command),
+            (Source::HeadingCommand, _) => (Channel::Command(Command::Heading), sizes.heading_command),
             (Source::Turbulence | Source::Release | Source::OneMode, _) => return None,
         };
         let (amplitude, start) = (size * sizes.times, START);

@@ -63,10 +63,15 @@ impl Scenario {
         }
     }
 
-    /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of.
+    /// Where the disturbance enters: of several, or of a motion without any, the first that a frequency response can be of. A command
+    /// moves nothing but through a law.
     pub fn driven_channel(&self) -> Channel {
-        if self.disturbance.choices[self.plane].source == Source::Turbulence {
+        let source = self.disturbance.choices[self.plane].source;
+        if source == Source::Turbulence {
             return Channel::AirAcross;
+        }
+        if source.command().is_some() {
+            return Channel::First;
         }
         self.disturbance.input(self.plane).map_or(Channel::First, |(channel, _)| channel)
     }

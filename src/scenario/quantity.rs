@@ -3,6 +3,7 @@
 use super::Dimension;
 use crate::flight::Channel;
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::motion::command::Command;
 use crate::flight::motion::outputs::Output;
 use crate::key::Keyed;
 
@@ -34,6 +35,14 @@ impl Quantity {
             (Plane::Lateral, Channel::AirAcross) => {
                 ("v_gust", "v_g", "air to the right", Dimension::AirSpeed)
             }
+            (_, Channel::Command(command)) => match command {
+                Command::Speed => ("u_command", "u_c", "commanded speed", Dimension::Speed),
+                Command::PitchAngle => ("theta_command", "θ_c", "commanded pitch angle", Dimension::Angle),
+                Command::Height => ("h_command", "h_c", "commanded height", Dimension::Length),
+                Command::YawRate => ("r_command", "r_c", "commanded yaw rate", Dimension::AngularRate),
+                Command::BankAngle => ("phi_command", "φ_c", "commanded bank angle", Dimension::Angle),
+                Command::Heading => ("psi_command", "ψ_c", "commanded heading", Dimension::Angle),
+            },
         };
         Self { key, symbol, name, dimension }
     }
@@ -43,7 +52,8 @@ impl Quantity {
     pub const fn input_sign(plane: Plane, channel: Channel) -> f64 {
         match (plane, channel) {
             (_, Channel::AirAlong) | (Plane::Longitudinal, Channel::AirAcross) => -1.0,
-            (_, Channel::First | Channel::Second) | (Plane::Lateral, Channel::AirAcross) => 1.0,
+            (_, Channel::First | Channel::Second | Channel::Command(_))
+            | (Plane::Lateral, Channel::AirAcross) => 1.0,
         }
     }
 

@@ -91,7 +91,7 @@ pub enum Lock {
     Disturbance,
     /// How it is looked at.
     View,
-    /// Every parameter.
+    /// Every parameter, and what levels are judged for.
     All,
 }
 
@@ -198,7 +198,13 @@ impl Stage {
         if self.locks_up(Lock::Disturbance) {
             now.disturbance = before.disturbance;
         }
+        if self.locks_up(Lock::View) {
+            (now.units, now.notation) = (before.units, before.notation);
+        }
         let is_same = now.aircraft.key == before.aircraft.key;
+        if is_same && self.locks_up(Lock::All) {
+            now.task = before.task;
+        }
         for parameter in parameters().filter(|p| self.locks_parameter(p)) {
             if parameter.is_of_disturbance() || is_same {
                 hold(parameter, before, now);

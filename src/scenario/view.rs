@@ -5,8 +5,8 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use super::{Page, Scenario, Stage};
-use crate::flight::aircraft::plane::ByPlane;
+use super::{Page, Parameter, Scenario, Stage, parameters};
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::motion::outputs::Output;
 use crate::key::keys;
 
@@ -15,10 +15,16 @@ use crate::key::keys;
 pub struct View {
     /// What of the page is on.
     pub stage: Stage,
+    /// Whether it fills the screen, for a room to look at.
+    pub presents: bool,
+    /// How the page looks where the link says so; otherwise as the person has chosen, or their system has it.
+    pub look: Option<Look>,
     /// The page of sliders.
     pub page: Page,
     /// The pane alone beside the sliders.
     pub maximised: Option<Pane>,
+    /// Whether the loop is shown open: the aircraft as it flies without its law of feedback.
+    pub shows_open: bool,
     /// Marks on the pole map.
     pub marks: Marks,
     /// Details that the cards of the modes show.
@@ -36,14 +42,36 @@ impl View {
     pub fn of(scenario: &Scenario) -> Self {
         Self {
             stage: Stage::default(),
+            presents: false,
+            look: None,
             page: Page::of(scenario),
             maximised: None,
+            shows_open: false,
             marks: Marks::default(),
             details: Details::default(),
             response: ResponseView::default(),
             flight: FlightView::default(),
             equations: EquationsView::default(),
         }
+    }
+}
+
+/// How the page looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// Dark on light.
+    Light,
+    /// Light on dark.
+    Dark,
+    /// Strong colours on white.
+    Projector,
+}
+
+keys! {
+    Look {
+        Light => "light",
+        Dark => "dark",
+        Projector => "projector",
     }
 }
 
@@ -139,6 +167,10 @@ pub struct ResponseView {
     pub portraits: ByPlane<[(Output, Output); 2]>,
     /// The output of the frequency response, of each plane.
     pub frequency_of: ByPlane<Output>,
+    /// The input whose loop is cut, of each plane: whether it is the second, throttle or rudder.
+    pub cuts_second: ByPlane<bool>,
+    /// What is charted over a slider, of each plane.
+    pub chart: ByPlane<ChartView>,
 }
 
 impl Default for ResponseView {
@@ -160,7 +192,49 @@ impl Default for ResponseView {
                 lateral: [(Sideslip, RollRate), (Sideslip, YawRate)],
             },
             frequency_of: ByPlane { longitudinal: PitchRate, lateral: Sideslip },
+            cuts_second: ByPlane { longitudinal: false, lateral: true },
+            chart: ByPlane {
+                longitudinal: ChartView::of("short_period.damping_ratio"),
+                lateral: ChartView::of("dutch_roll.damping_ratio"),
+            },
         }
+    }
+}
+
+/// A measure charted over the range of a slider.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartView {
+    /// Key of the measure.
+    pub measure: String,
+    /// The slider, where a person has chosen one.
+    pub over: Option<&'static Parameter>,
+    /// Lines of their own, at values of the measure \[SI\].
+    pub lines: Vec<f64>,
+}
+
+impl ChartView {
+    /// A chart has no more lines of one's own.
+    pub const MOST_LINES: usize = 8;
+
+    /// A measure by its key, over what stands to reason.
+    fn of(measure: &str) -> Self {
+        Self { measure: measure.to_owned(), over: None, lines: Vec::new() }
+    }
+
+    /// The slider that it is over: the chosen one, else the first of these that the aircraft has; `None` where it has no slider in the
+    /// plane on screen.
+    pub fn over(&self, scenario: &Scenario) -> Option<&'static Parameter> {
+        let usual: &[&str] = match scenario.plane {
+            Plane::Longitudinal => &["cg", "m_w", "a_qw"],
+            Plane::Lateral => &["fin", "n_v", "a_rv"],
+        };
+        let usual = usual.iter().filter_map(|key| Parameter::find(key));
+        self.over.into_iter().chain(usual).chain(parameters()).find(|p| Self::can_be_over(p, scenario))
+    }
+
+    /// Whether a chart can be over a parameter: it has a slider for the plane on screen.
+    pub fn can_be_over(parameter: &Parameter, scenario: &Scenario) -> bool {
+        parameter.page.is_some_and(|page| page.is_of(scenario) && parameter.is_shown(scenario, page))
     }
 }
 
@@ -181,8 +255,16 @@ pub enum Tab {
     Phase,
     /// Over frequency.
     Frequency,
+    /// The loop of a control cut before its actuator, over frequency; where a law feeds back.
+    Loop,
+    /// The same as a curve in the complex plane.
+    Nyquist,
+    /// The damping over the gain and the washout of a rate.
+    Map,
     /// In numbers.
     Metrics,
+    /// A measure over a slider.
+    Chart,
 }
 
 keys! {
@@ -190,13 +272,26 @@ keys! {
         Time => "time",
         Phase => "phase",
         Frequency => "frequency",
+        Loop => "loop",
+        Nyquist => "nyquist",
+        Map => "gain-map",
         Metrics => "metrics" | "figures",
+        Chart => "chart",
     }
 }
 
 impl Tab {
     /// All, in the order of the page.
-    pub const ALL: [Self; 4] = [Self::Time, Self::Phase, Self::Frequency, Self::Metrics];
+    pub const ALL: [Self; 8] = [
+        Self::Time,
+        Self::Phase,
+        Self::Frequency,
+        Self::Loop,
+        Self::Nyquist,
+        Self::Map,
+        Self::Metrics,
+        Self::Chart,
+    ];
 }
 
 /// How the aircraft in flight is shown.

@@ -17,6 +17,8 @@ use crate::words;
 pub struct Curtain {
     /// What is hidden and locked.
     stage: Stage,
+    /// Whether nothing leads to another scene than those that were opened here from outside.
+    is_kept: bool,
     /// The modes by |λ|, the largest first, where their names are hidden.
     modes: Vec<ModeName>,
 }
@@ -31,7 +33,12 @@ impl Curtain {
         } else {
             Vec::new()
         };
-        Self { stage, modes }
+        Self { stage, modes, is_kept: false }
+    }
+
+    /// The same on a page that is to stay with what was opened on it.
+    pub fn keeping(self, is_kept: bool) -> Self {
+        Self { is_kept, ..self }
     }
 
     /// Hangs it for all views that are drawn next.
@@ -82,6 +89,11 @@ impl Curtain {
         self.stage.hidden().iter().any(|hidden| *hidden != Hidden::Curves)
     }
 
+    /// Whether anything is hidden.
+    pub fn hides_anything(&self) -> bool {
+        !self.stage.hidden().is_empty()
+    }
+
     /// A mode as a title.
     pub fn title(&self, name: ModeName) -> &'static str {
         if self.hides(Hidden::Names) {
@@ -119,6 +131,11 @@ impl Curtain {
         if self.hides(Hidden::AircraftName) { words::view::AN_AIRCRAFT } else { name }
     }
 
+    /// Whether the page stays with what was opened on it: it offers no other lesson, and no way out of one.
+    pub fn keeps(&self) -> bool {
+        self.is_kept
+    }
+
     /// Whether something stays as it is.
     pub fn locks(&self, what: Lock) -> bool {
         self.stage.locks_up(what)
@@ -127,6 +144,11 @@ impl Curtain {
     /// Whether a parameter stays as it is.
     pub fn locks_parameter(&self, parameter: &Parameter) -> bool {
         self.stage.locks_parameter(parameter)
+    }
+
+    /// Whether the slider of a parameter is offered.
+    pub fn offers(&self, parameter: &Parameter) -> bool {
+        self.stage.offers(parameter.key)
     }
 
     /// Whether a parameter may be moved by something other than its slider: it is offered, and not locked.

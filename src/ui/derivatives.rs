@@ -2,30 +2,36 @@
 
 use std::ops::RangeInclusive;
 
-use egui::accesskit::Role;
 use egui::{
-    Align, Button, Id, Layout, Popup, PopupCloseBehavior, Rect, Response, RichText, ScrollArea, Sense,
-    Stroke, TextWrapMode, Ui, UiBuilder, Vec2, WidgetInfo,
+    Align, Button, Id, Label, Layout, Response, RichText, ScrollArea, Sense, Stroke, TextWrapMode, Ui,
+    UiBuilder, Vec2,
 };
 
 use super::curtain::{Curtain, locked};
+use super::explanation::{explained_by_tap, texts_ui, title_ui};
+use super::follows::follows;
 use super::number_field::{NumberField, number_field_ui};
 use super::slider::ReferenceSlider;
 use super::slider_search::{Filter, elsewhere, is_listed, search_ui};
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
-use super::{finger, influence, slider_search};
+use super::{copy, finger, influence, room, slider_search};
 use crate::content::LengthUnit;
 use crate::findings::{Findings, RowSensitivity};
+use crate::flight::feedback::Law;
 use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::parameters::Group;
-use crate::scenario::{Hidden, Lock, Page, Parameter, Scenario, Stage, parameters};
+use crate::scenario::{Hidden, Lock, Page, Parameter, Scenario, Stage, Written, parameters};
 use crate::words;
 
 const SYMBOL_WIDTH: f32 = 52.0;
 const FIELD_WIDTH: f32 = 68.0;
 const RESET_WIDTH: f32 = 20.0;
+const RESET_ALL: &str = "Reset all";
+/// A narrower row of pages has a second line.
+const SLIM: f32 = 330.0;
+const RESET_ALL_WIDTH: f32 = 66.0;
 /// Room for as many modes as there can be: a slider must not change its length where two roots meet.
 const BARS_WIDTH: f32 = 4.0 * influence::BAR_WIDTH;
 const COMPACT_FIELD: f32 = 44.0;
@@ -36,8 +42,6 @@ const LOW_FIELD: f32 = 22.0;
 const LOWEST_FIELD: f32 = 13.0;
 /// In less height what stands above the sliders scrolls with them.
 const ROOMY: f32 = 620.0;
-/// Of what a tap on a symbol opens.
-const CARD_WIDTH: f32 = 420.0;
 /// Room for eight lines; a longer card scrolls.
 const HELP_HEIGHT: f32 = 168.0;
 
@@ -63,6 +67,8 @@ pub struct Chosen<'a> {
     pub asked: Option<&'static str>,
     /// Becomes true where the equations are asked for.
     pub equations: &'a mut bool,
+    /// Becomes the slider over which something is to be charted.
+    pub chart: &'a mut Option<&'static Parameter>,
 }
 
 /// Draws the pages and the groups of the one on screen; edits `scenario` in place.
@@ -73,28 +79,31 @@ pub struct Chosen<'a> {
 pub fn derivatives_ui(
     ui: &mut Ui,
     scenario: &mut Scenario,
-    Chosen { page, search, stage, asked, equations }: Chosen<'_>,
+    Chosen { page, search, stage, asked, equations, chart }: Chosen<'_>,
     rows: Rows,
     (findings, last): (&Findings, &Findings),
     above: impl FnOnce(&mut Ui),
 ) -> Option<&'static str> {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().button_padding.x = 7.0;
+    let is_slim = ui.available_width() < SLIM;
+    let row = |ui: &mut Ui| {
+        ui.spacing_mut().button_padding.x = 6.0;
         ui.spacing_mut().item_spacing.x = 2.0;
-        let curtain = Curtain::of(ui);
-        curtain.lock_ui(ui, Lock::View, |ui| {
+        Curtain::of(ui).lock_ui(ui, Lock::View, |ui| {
             for other in Page::ALL.into_iter().filter(|page| page.is_of(scenario)) {
                 ui.selectable_value(page, other, words::sliders::page(other));
             }
         });
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let reset = Button::new(RichText::new("Reset all").font(theme::small()));
-            let can = scenario.is_edited() && !curtain.locks(Lock::All);
-            if ui.add_enabled(can, reset).clicked() {
-                *scenario = scenario.with_reference_model();
-            }
-        });
-    });
+        if is_slim {
+            reset_all_ui(ui, scenario);
+        } else {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| reset_all_ui(ui, scenario));
+        }
+    };
+    if is_slim {
+        ui.horizontal_wrapped(row);
+    } else {
+        ui.horizontal(row);
+    }
     let is_hidden = |wanted| !is_listed(wanted, scenario, *page, Filter { search, stage });
     if asked.and_then(Parameter::find).is_some_and(is_hidden) {
         search.clear();
@@ -122,7 +131,7 @@ pub fn derivatives_ui(
         let filter = Filter { search, stage };
         let listed = |scenario: &Scenario| parameters().any(|p| is_listed(p, scenario, *page, filter));
         if listed(scenario) {
-            touched = groups_ui(ui, scenario, (*page, filter), rows, findings, asked);
+            touched = groups_ui(ui, scenario, (*page, filter), rows, findings, (asked, chart));
         } else if parameters().any(|p| p.is_shown(scenario, *page)) || !listed(last.scenario()) {
             let text = if search.trim().is_empty() {
                 let has_any = parameters().any(|p| p.is_shown(scenario, *page));
@@ -136,8 +145,10 @@ pub fn derivatives_ui(
             ui.label(RichText::new(text).font(theme::small()));
         } else {
             ui.disable();
-            groups_ui(ui, &mut last.scenario().clone(), (*page, filter), rows, last, None);
+            groups_ui(ui, &mut last.scenario().clone(), (*page, filter), rows, last, (None, &mut None));
         }
+        // It shrinks to what it holds, and so knows nothing of the room that is left.
+        room::note(ui, ui.min_rect().height() - height);
     });
     touched
 }
@@ -149,7 +160,7 @@ fn groups_ui(
     (page, filter): (Page, Filter<'_>),
     rows: Rows,
     findings: &Findings,
-    asked: Option<&'static str>,
+    (asked, chart): (Option<&'static str>, &mut Option<&'static Parameter>),
 ) -> Option<&'static str> {
     let mut touched = None;
     for group in Group::DERIVATIVES {
@@ -162,12 +173,23 @@ fn groups_ui(
         group_ui(ui, scenario, group, &group_rows);
         for parameter in group_rows {
             let is_asked = asked == Some(parameter.key);
-            if row_ui(ui, scenario, parameter, rows, findings, is_asked) {
+            if row_ui(ui, scenario, parameter, rows, findings, (is_asked, chart)) {
                 touched = Some(parameter.key);
             }
         }
     }
     touched
+}
+
+/// All sliders back.
+fn reset_all_ui(ui: &mut Ui, scenario: &mut Scenario) {
+    let text = if ui.available_width() < RESET_ALL_WIDTH { "↺" } else { RESET_ALL };
+    let reset = Button::new(RichText::new(text).font(theme::small()));
+    let can = (scenario.is_edited() || scenario.law != Law::default()) && !Curtain::of(ui).locks(Lock::All);
+    let reset = ui.add_enabled(can, reset).accessible_name(RESET_ALL);
+    if reset.on_hover_text("All sliders back to their references").clicked() {
+        *scenario = scenario.with_reference_model();
+    }
 }
 
 /// The name of a group, and its reset where something in it has been edited.
@@ -197,6 +219,7 @@ fn group_ui(ui: &mut Ui, scenario: &mut Scenario, group: Group, rows: &[&'static
 /// A parameter as its row shows it, in shown units.
 struct Row {
     parameter: &'static Parameter,
+    symbol: &'static str,
     name: String,
     value: f64,
     /// The value in words.
@@ -215,14 +238,15 @@ struct Row {
 
 impl Row {
     fn of(scenario: &Scenario, parameter: &'static Parameter, rows: Rows, findings: &Findings) -> Self {
-        let length = scenario.aircraft.length_unit;
-        let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
+        let convention = scenario.convention();
+        let Written { symbol, unit, in_si, .. } = parameter.written(convention);
         let value = parameter.get(scenario) / in_si;
         let range = parameter.range(scenario);
         let in_effect = findings.coefficients().and_then(|c| parameter.in_effect(scenario, c));
         Self {
             parameter,
-            name: format!("{} {}", parameter.name, Symbol::parse(parameter.symbol).plain()),
+            symbol,
+            name: format!("{} {}", parameter.name, Symbol::parse(symbol).plain()),
             value,
             shown: trimmed(value, 4),
             reference: parameter.reference(scenario) / in_si,
@@ -233,20 +257,25 @@ impl Row {
             in_effect: in_effect.map(|si| si / in_si),
             in_si,
             unit,
-            unit_width: if length == LengthUnit::Metre { 44.0 } else { 66.0 },
+            // Units of gains are long in metres too.
+            unit_width: if convention.length == LengthUnit::Metre && parameter.page != Some(Page::Feedback) {
+                44.0
+            } else {
+                66.0
+            },
             height: if rows == Rows::Touch { theme::TOUCH_HEIGHT } else { ROW_HEIGHT },
         }
     }
 
     /// The slider over all the room that the rest of the row leaves; gives the value that it is set to \[SI\].
-    fn slider_ui(&self, ui: &mut Ui, scenario: &Scenario) -> (Response, Option<f64>) {
+    fn slider_ui(&self, ui: &mut Ui, scenario: &Scenario, findings: &Findings) -> (Response, Option<f64>) {
         let Self { unit, shown, .. } = self;
         let rest = FIELD_WIDTH + self.unit_width + BARS_WIDTH + RESET_WIDTH + 6.0 * 4.0 + 8.0;
         let slider = ReferenceSlider {
             name: &self.name,
             value_text: match self.in_effect {
                 Some(moved) => format!("{shown} {unit}, {} in effect", trimmed(moved, 4)),
-                None => format!("{shown} {unit}"),
+                None => format!("{shown} {unit}").trim_end().to_owned(),
             },
             value: self.value,
             range: self.range.clone(),
@@ -256,6 +285,12 @@ impl Row {
         };
         let width = (ui.available_width() - rest).max(60.0);
         let (mut response, moved) = slider.show(ui, Vec2::new(width, self.height));
+        if response.has_focus()
+            && let Some(follows) = follows(findings, &Curtain::of(ui), self.sensitivity(findings))
+        {
+            let told = format!("{}: {follows}", slider.value_text);
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(told));
+        }
         if let Some(moved) = self.in_effect {
             let moved = trimmed(moved, 4);
             response = response
@@ -352,7 +387,7 @@ impl Row {
         let (bars, response) = ui.allocate_exact_size(Vec2::new(BARS_WIDTH, self.height), Sense::hover());
         let curtain = Curtain::of(ui);
         if let Some(row) = self.sensitivity(findings).filter(|_| !curtain.hides(Hidden::Reasons)) {
-            influence::paint_bars(ui, row, findings.modes(), bars);
+            influence::paint_bars(ui, row, findings.flown_modes(), bars);
             if let Some(words) = self.influence(findings, &curtain) {
                 response.on_hover_text(words);
             }
@@ -367,7 +402,7 @@ impl Row {
     /// How it moves each mode, in words, where that isn't hidden.
     fn influence(&self, findings: &Findings, curtain: &Curtain) -> Option<String> {
         let row = self.sensitivity(findings).filter(|_| !curtain.hides_influence())?;
-        Some(words::sensitivity::of_row(row, findings.modes(), (self.in_si, self.unit)))
+        Some(words::sensitivity::of_row(row, findings.flown_modes(), (self.in_si, self.unit)))
     }
 
     /// The way back, where the value has been edited.
@@ -389,7 +424,7 @@ fn row_ui(
     parameter: &'static Parameter,
     rows: Rows,
     findings: &Findings,
-    is_asked: bool,
+    (is_asked, chart): (bool, &mut Option<&'static Parameter>),
 ) -> bool {
     let palette = Palette::of(ui);
     let row = Row::of(scenario, parameter, rows, findings);
@@ -405,24 +440,27 @@ fn row_ui(
             ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::NONE;
         }
         theme::make_low(ui, LOW_FIELD);
-        let symbol = Symbol::parse(parameter.symbol);
+        let symbol = Symbol::parse(row.symbol);
         let name = symbol_ui(ui, &symbol, theme::sizes(ui).row_symbol, palette.text, Some(SYMBOL_WIDTH));
-        if rows == Rows::Touch {
-            // There is no room for the card below the sliders, and no pointer that rests on the bars.
-            explained_by_tap(ui, &name, &row.name, |ui| {
-                title_ui(ui, parameter);
-                texts_ui(ui, parameter);
+        explained_by_tap(ui, &name, &row.name, |ui| {
+            if rows == Rows::Touch {
+                // There is no room for the card below the sliders, and no pointer that rests on the bars.
+                title_ui(ui, parameter, scenario.convention());
+                texts_ui(ui, parameter, scenario.convention());
                 if let Some(influence) = row.influence(findings, &Curtain::of(ui)) {
                     ui.label(prose(&influence, theme::small(), palette.text));
                 }
-            });
-        }
+            }
+            if !Curtain::of(ui).locks(Lock::View) && ui.button(words::chart::OVER_THIS).clicked() {
+                *chart = Some(parameter);
+            }
+        });
         if Curtain::of(ui).locks_parameter(parameter) {
             row.locked_ui(ui, scenario);
             row.bars_ui(ui, findings);
             return (None, None, hovered);
         }
-        let (slider, moved) = row.slider_ui(ui, scenario);
+        let (slider, moved) = row.slider_ui(ui, scenario, findings);
         if is_asked {
             slider.request_focus();
             slider.scroll_to_me(Some(Align::Center));
@@ -434,30 +472,31 @@ fn row_ui(
         (field.accepted.or(moved), field.refusal, at_it)
     });
     let (new, refusal, at_it) = drawn.inner;
+    copy::offer(ui, place, &|| {
+        format!("{} = {} {}", Symbol::parse(row.symbol).plain(), row.shown, row.unit).trim_end().to_owned()
+    });
     if let Some(refusal) = refusal {
         refusal.show(ui);
     }
     if let Some(value) = new.and_then(|value| parameter.check(scenario, value).ok()) {
-        if value == parameter.reference(scenario) {
-            parameter.reset(scenario);
-        } else {
-            parameter.set(scenario, value);
-        }
+        parameter.set_or_reset(scenario, value);
     }
     at_it
 }
 
 fn unit_ui(ui: &mut Ui, unit: &str) {
-    ui.label(RichText::new(unit).size(theme::sizes(ui).unit).color(Palette::of(ui).weak));
+    let text = RichText::new(unit).size(theme::sizes(ui).unit).color(Palette::of(ui).weak);
+    // A long one in two lines.
+    ui.add(Label::new(text).wrap());
 }
 
 /// A number with its symbol and unit, without a slider: for the parameters of a disturbance.
 pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Parameter) {
     let palette = Palette::of(ui);
-    let length = scenario.aircraft.length_unit;
-    let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
+    let convention = scenario.convention();
+    let Written { symbol, unit, in_si, .. } = parameter.written(convention);
     let shown = trimmed(parameter.get(scenario) / in_si, 4);
-    let symbol = Symbol::parse(parameter.symbol);
+    let symbol = Symbol::parse(symbol);
     // Its width beforehand, so that a row that wraps keeps it together.
     let symbol_width = symbol.galley(ui, theme::sizes(ui).symbol, palette.text).size().x;
     let unit_width = ui.painter().layout_no_wrap(unit.to_owned(), theme::small(), palette.weak).size().x;
@@ -470,8 +509,8 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
         let about = symbol_ui(ui, &symbol, theme::sizes(ui).symbol, palette.text, None);
         if theme::is_for_fingers(ui) {
             explained_by_tap(ui, &about, &name, |ui| {
-                title_ui(ui, parameter);
-                texts_ui(ui, parameter);
+                title_ui(ui, parameter, convention);
+                texts_ui(ui, parameter, convention);
             });
         }
         if is_locked {
@@ -504,55 +543,5 @@ pub fn compact_ui(ui: &mut Ui, scenario: &mut Scenario, parameter: &'static Para
     }
     if let Some(value) = field.accepted {
         parameter.set(scenario, value);
-    }
-}
-
-/// What a tap on a symbol opens: for fingers, where a mouse would only have to rest.
-fn explained_by_tap(ui: &Ui, symbol: &Response, name: &str, card: impl FnOnce(&mut Ui)) {
-    let place = Rect::from_center_size(
-        symbol.rect.center(),
-        symbol.rect.size().max(Vec2::splat(ui.spacing().interact_size.y)),
-    );
-    let button = ui.interact(place, symbol.id.with("explained"), Sense::click());
-    let label = format!("What {name} means");
-    button.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &label));
-    theme::focus_ring(ui, &button);
-    let width = (ui.content_rect().width() - 48.0).min(CARD_WIDTH);
-    Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClick).show(|ui| {
-        ui.set_max_width(width);
-        card(ui);
-    });
-}
-
-/// The card below the sliders: what one of them means.
-pub fn help_ui(ui: &mut Ui, key: &str) {
-    let Some(parameter) = Parameter::find(key) else { return };
-    ui.separator();
-    title_ui(ui, parameter);
-    ScrollArea::vertical().id_salt("help").auto_shrink(false).show(ui, |ui| texts_ui(ui, parameter));
-}
-
-/// Symbol and name.
-fn title_ui(ui: &mut Ui, parameter: &Parameter) {
-    let palette = Palette::of(ui);
-    let mut title = Symbol::parse(parameter.symbol).job(theme::sizes(ui).title_symbol, palette.text);
-    title.append(
-        &format!("  {}", parameter.name),
-        0.0,
-        egui::TextFormat::simple(theme::semibold(theme::sizes(ui).name), palette.text),
-    );
-    ui.label(title);
-}
-
-/// Meaning, sign and origin.
-fn texts_ui(ui: &mut Ui, parameter: &Parameter) {
-    let palette = Palette::of(ui);
-    // Its sign says which mode it stiffens and damps, and here and there its meaning does.
-    let tells_modes = !Curtain::of(ui).hides_any(&[Hidden::Names, Hidden::Reasons]);
-    for text in [parameter.meaning, parameter.sign].into_iter().filter(|_| tells_modes) {
-        ui.label(prose(text, theme::small(), palette.weak));
-    }
-    if !parameter.origin.is_empty() {
-        ui.label(prose(&format!("From: {}", parameter.origin), theme::small(), palette.weak));
     }
 }

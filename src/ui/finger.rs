@@ -4,7 +4,7 @@
 //! egui gives a drag to the topmost widget that senses one, whatever its direction. Here the widget gives an upright one on,
 //! to the scroll area around it, which then follows the finger and rolls out as for any other drag.
 
-use super::theme;
+use super::{room, theme};
 use egui::{AsIdSalt, Id, IdSalt, MultiTouchInfo, Response, ScrollArea, Ui, UiBuilder, UiStackInfo};
 
 /// Under this name a `Ui` tells what scrolls when a finger goes up or down in it.
@@ -30,9 +30,10 @@ pub fn scroll_area_ui<R>(
         show_focus(ui);
         inner
     };
-    let inner = area.id_salt(name).show(ui, contents).inner;
+    let shown = area.id_salt(name).show(ui, contents);
+    room::note(ui, shown.content_size.y - shown.inner_rect.height());
     ui.data_mut(|data| data.insert_temp(Id::unique(TAG), background));
-    inner
+    shown.inner
 }
 
 /// Something in which a finger going up or down scrolls what `background` is of.

@@ -9,7 +9,7 @@ use super::aircraft::{
     turn_height, turn_ui,
 };
 use super::curtain::Curtain;
-use super::theme::Palette;
+use super::theme::{self, Palette};
 use crate::content::shapes::embedded_shape;
 use crate::findings::{Pose, Trajectory};
 use crate::number::trimmed;
@@ -125,7 +125,11 @@ impl FlightPane {
     /// Draws the aircraft at the time of the playback, over all the room there is.
     pub fn show(&mut self, ui: &mut Ui, view: &mut FlightView, flown: Trajectory<'_>) {
         let palette = Palette::of(ui);
-        let controls = if view.turn.is_some() { turn_height(ui) } else { transport_height(ui) };
+        let controls = match view.turn {
+            _ if theme::is_for_a_room(ui) => 0.0,
+            Some(_) => turn_height(ui),
+            None => transport_height(ui),
+        };
         let least = if view.turn.is_some() { LEAST_TURNED } else { 80.0 };
         let room = (ui.available_height() - controls).max(least);
         let (time, exaggeration) = (self.playback.time, flown.exaggeration());
@@ -147,13 +151,9 @@ impl FlightPane {
             .collect();
         let is_dimmed = time > flown.flown_until();
         let time = time.min(flown.flown_until());
-        let exaggerated = (exaggeration != 1.0).then(|| {
-            format!(
-                "One mode alone, drawn {} times as large as it is; the numbers are true",
-                trimmed(exaggeration, 3)
-            )
-        });
-        let length = flown.scenario.aircraft.length_unit;
+        let exaggerated = (exaggeration != 1.0)
+            .then(|| format!("Drawn {} times as large; the numbers are true", trimmed(exaggeration, 3)));
+        let length = flown.scenario.length_unit();
         let stays =
             is_dimmed.then(|| words::small_disturbance::aircraft_stays(flown.motion, length)).flatten();
         let curtain = Curtain::of(ui);
@@ -203,10 +203,13 @@ impl FlightPane {
             ui.set_min_height(room);
             widget.show(ui, view, &picture);
         });
+        if let Some(turn) = &mut view.turn {
+            *explained = widget.pointed.unwrap_or(explained);
+            drag(turn, rest, widget.dragged);
+        }
         match &mut view.turn {
+            _ if theme::is_for_a_room(ui) => {}
             Some(turn) => {
-                *explained = widget.pointed.unwrap_or(explained);
-                drag(turn, rest, widget.dragged);
                 let locked = Curtain::of(ui);
                 locked.lock_ui(ui, Lock::View, |ui| turn_ui(ui, turn, explained));
             }

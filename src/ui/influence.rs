@@ -31,13 +31,18 @@ pub fn share(strength: f64) -> f32 {
 pub fn paint_bars(ui: &Ui, row: &RowSensitivity, modes: &[Mode], place: Rect) {
     let palette = Palette::of(ui);
     let bottom = place.center().y + 9.0;
+    // A law adds modes, but no room.
+    let width = BAR_WIDTH.min(place.width() / modes.len().max(1) as f32);
     for (i, index) in Curtain::of(ui).order(modes).into_iter().enumerate() {
         let (Some(mode), Some(strength)) = (modes.get(index), row.strengths.get(index)) else { continue };
         let Some(strength) = strength.filter(|strength| *strength >= NOTHING) else { continue };
         let tall = share(strength) * (place.height() - 8.0).min(18.0);
-        let left = place.left() + BAR_WIDTH * i as f32;
+        let left = place.left() + width * i as f32;
         let top = bottom - tall.max(SHORTEST);
-        let bar = Rect::from_min_max(egui::pos2(left, top), egui::pos2(left + BAR_WIDTH - 1.5, bottom));
+        let bar = Rect::from_min_max(
+            egui::pos2(left, top),
+            egui::pos2(left + width - if width < BAR_WIDTH { 1.0 } else { 1.5 }, bottom),
+        );
         ui.painter().rect_filled(bar, 0.0, palette.mode(mode.naming.name));
     }
 }
@@ -60,7 +65,7 @@ pub struct Strongest {
 impl Strongest {
     /// Draws the list, each derivative with a bar a mode. The longest bar is as long as there is room.
     pub fn show(&mut self, ui: &mut Ui, findings: &Findings, page: Page) -> ListClick {
-        let (rows, modes) = (findings.sensitivities(page), findings.modes());
+        let (rows, modes) = (findings.sensitivities(page), findings.flown_modes());
         let find = |key: &str| rows.iter().find(|row| row.key == key);
         let is_dragged = ui.input(|input| input.pointer.any_down());
         if !is_dragged || self.keys.iter().any(|key| find(key).is_none()) {
@@ -74,27 +79,26 @@ impl Strongest {
             return wish;
         }
         ui.add_space(6.0);
-        let title =
-            RichText::new("Which derivative moves which mode").font(theme::semibold(theme::sizes(ui).small));
+        let title = words::sliders::strongest(page);
+        let title = RichText::new(title).font(theme::semibold(theme::sizes(ui).small));
         theme::heading(ui, title.color(Palette::of(ui).weak), 3);
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             for row in listed {
                 let Some(parameter) = Parameter::find(row.key) else { continue };
-                let response = row_ui(ui, parameter, row, modes, largest);
+                let shown = parameter.written(findings.scenario().convention());
+                let response = row_ui(ui, parameter, (row, shown.symbol), modes, largest);
                 if response.hovered() || response.has_focus() {
                     wish.touched = Some(row.key);
                 }
                 if response.clicked() {
                     wish.asked = Some(row.key);
                 }
-                let length = findings.scenario().aircraft.length_unit;
-                let unit = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
                 if !Curtain::of(ui).hides_influence() {
                     response.on_hover_text(format!(
                         "{}: {}",
                         parameter.name,
-                        words::sensitivity::of_row(row, modes, unit)
+                        words::sensitivity::of_row(row, modes, (shown.in_si, shown.unit))
                     ));
                 }
             }
@@ -130,12 +134,12 @@ fn strongest(rows: &[RowSensitivity], modes: usize) -> Vec<&'static str> {
 fn row_ui(
     ui: &mut Ui,
     parameter: &Parameter,
-    row: &RowSensitivity,
+    (row, symbol): (&RowSensitivity, &str),
     modes: &[Mode],
     largest: f64,
 ) -> Response {
     let palette = Palette::of(ui);
-    let symbol = Symbol::parse(parameter.symbol);
+    let symbol = Symbol::parse(symbol);
     let height = (LANE * modes.len() as f32 + 6.0).max(ui.spacing().interact_size.y);
     let size = Vec2::new(ui.available_width(), height);
     let (place, response) = ui.allocate_exact_size(size, Sense::click());
@@ -145,7 +149,7 @@ fn row_ui(
         ui.painter().rect_filled(place, 4.0, palette.field);
     }
     theme::focus_ring(ui, &response);
-    let galley = ui.painter().layout_job(symbol.job(theme::sizes(ui).symbol, palette.text));
+    let galley = symbol.fitting(ui, theme::sizes(ui).symbol, palette.text, SYMBOL_WIDTH - 8.0);
     let start = place.left_center() + Vec2::new(4.0, -0.5 * galley.size().y);
     ui.painter().galley(start, galley, palette.text);
     let room = place.width() - SYMBOL_WIDTH - 4.0;

@@ -1,10 +1,15 @@
 //! The keys of the page, in one table: what they do is read from here, and so is the sheet that lists them.
 
-use egui::{Grid, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui};
+use egui::{Button, FontId, Grid, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui};
 
 use super::arrow_keys;
+use super::curtain::Curtain;
+use super::present;
 use super::theme::{self, Palette};
+use crate::key::Keyed as _;
 use crate::scenario::view::Pane;
+use crate::scenario::{Lock, Notation, Scenario, Units};
+use crate::words;
 
 impl Pane {
     /// The key of the keyboard that maximises it, as shown.
@@ -23,6 +28,16 @@ pub enum Command {
     Redo,
     /// Copy the scene as a link.
     CopyLink,
+    /// The sheet that makes a frame of the scene.
+    Embed,
+    /// The sheet that takes the scene along.
+    TakeAlong,
+    /// The scene as a page of paper.
+    Print,
+    /// What is under the pointer, copied.
+    Copy,
+    /// The sheet of a person's own aircraft.
+    Import,
     /// Pin the state, or unpin it.
     Pin,
     /// Play the response, or pause.
@@ -31,8 +46,14 @@ pub enum Command {
     Maximise(Pane),
     /// Whatever is over the page, away.
     Restore,
+    /// The scene fills the screen.
+    Present,
     /// The next look.
     Look,
+    /// The next units.
+    Units,
+    /// The other notation of the equations.
+    Notation,
     /// The sheet of keys.
     Help,
 }
@@ -54,7 +75,7 @@ const fn control(key: Key, shown: &'static str, command: Command, text: &'static
 }
 
 /// The longer combination of a key stands after the shorter: they are tried from the end.
-const SHORTCUTS: [Shortcut; 13] = [
+const SHORTCUTS: [Shortcut; 21] = [
     control(Key::Z, "Ctrl Z", Command::Undo, "Undo; a whole drag is one step"),
     Shortcut {
         modifiers: Modifiers::COMMAND.plus(Modifiers::SHIFT),
@@ -72,7 +93,15 @@ const SHORTCUTS: [Shortcut; 13] = [
     plain(Key::Escape, "Esc", Command::Restore, "Restore the maximised pane"),
     plain(Key::G, "G", Command::Pin, "Pin this state, or unpin it"),
     plain(Key::L, "L", Command::CopyLink, "Copy the whole scene as a link"),
+    plain(Key::M, "M", Command::Embed, "Embed the scene in a page of yours"),
+    plain(Key::X, "X", Command::TakeAlong, "Take the scene along: script, file, data, figure"),
+    plain(Key::C, "C", Command::Copy, "Copy the number, table or curve under the pointer"),
+    plain(Key::O, "O", Command::Import, "Open an aircraft of your own: a file, or matrices"),
+    plain(Key::F, "F", Command::Present, "Present: the scene fills the screen, in large type"),
     plain(Key::T, "T", Command::Look, "Light, dark, projector"),
+    plain(Key::U, "U", Command::Units, "Units: as in the source, metres, feet"),
+    plain(Key::N, "N", Command::Notation, "Notation of the equations: w and v, or α and β"),
+    control(Key::P, "Ctrl P", Command::Print, "Print the scene on a page of paper"),
     plain(Key::Questionmark, "?", Command::Help, "This sheet"),
 ];
 
@@ -127,8 +156,32 @@ pub fn command(ui: &Ui) -> Option<Command> {
     })
 }
 
-/// The sheet of all keys, over the page. Says whether it is still wanted, and whether the lessons are wanted instead.
-pub fn sheet_ui(ui: &Ui) -> (bool, bool) {
+/// What is wanted instead of the sheet of keys: what a phone has no room for in its bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// The lessons.
+    Lessons,
+    /// The sheet that takes the scene along.
+    TakeAlong,
+    /// The sheet of a person's own aircraft.
+    Import,
+}
+
+/// The choice of a notation.
+pub fn notation_ui(ui: &mut Ui, notation: &mut Notation, font: &FontId) {
+    for other in Notation::VALUES {
+        let name = RichText::new(words::view::notation(*other)).font(font.clone());
+        let choice = ui.add(Button::selectable(*notation == *other, name));
+        if choice.clicked() {
+            *notation = *other;
+        }
+        choice.on_hover_text(words::view::NOTATION_MEANING);
+    }
+}
+
+/// The sheet of all keys, over the page, with the choices of units and notation, for which a phone has no key. Says whether it is still wanted, and
+/// what is wanted instead.
+pub fn sheet_ui(ui: &Ui, scenario: &mut Scenario) -> (bool, Option<Wish>) {
     let palette = Palette::of(ui);
     let frame = egui::Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(egui::Id::unique("keys")).frame(frame).show(ui, |ui| {
@@ -152,13 +205,13 @@ pub fn sheet_ui(ui: &Ui) -> (bool, bool) {
             }
         };
         // In a low window they scroll, between the heading and the button.
-        let room = ui.content_rect().height() - 150.0;
+        let room = ui.content_rect().height() - 200.0;
         ScrollArea::vertical().max_height(room).show(ui, |ui| {
             if by_finger {
                 rows(ui, &mut BY_FINGER.into_iter());
                 heading(ui, "Keys");
             }
-            let mut keys = own.chain(OF_CONTROLS);
+            let mut keys = own.chain(OF_CONTROLS).chain(present::SHEET);
             if narrow {
                 // What a key does stands below it.
                 rows(ui, &mut keys);
@@ -168,15 +221,41 @@ pub fn sheet_ui(ui: &Ui) -> (bool, bool) {
         });
         ui.add_space(4.0);
         let note = "The scroll wheel never changes a number. On a Mac, Ctrl is the command key.";
-        ui.label(RichText::new(note).font(theme::small()).color(palette.weak));
+        for note in [note, concat!("Eigenwing ", env!("CARGO_PKG_VERSION"))] {
+            ui.label(RichText::new(note).font(theme::small()).color(palette.weak));
+        }
         ui.add_space(4.0);
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.label("Units:");
+            Curtain::of(ui).lock_ui(ui, Lock::View, |ui| {
+                for other in Units::VALUES {
+                    ui.selectable_value(&mut scenario.units, *other, words::view::units(*other));
+                }
+            });
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.label("Equations in:").on_hover_text(words::view::NOTATION_MEANING);
+            Curtain::of(ui)
+                .lock_ui(ui, Lock::View, |ui| notation_ui(ui, &mut scenario.notation, &theme::body()));
+        });
+        ui.add_space(4.0);
+        ui.horizontal_wrapped(|ui| {
             let close = ui.button("Close").clicked();
-            // On a phone the bar has no room for it.
-            (close, ui.button("Lessons").clicked())
+            let mut wish = None;
+            if !Curtain::of(ui).keeps() {
+                let ways = [
+                    ("Lessons", Wish::Lessons),
+                    ("Take along …", Wish::TakeAlong),
+                    ("Own aircraft …", Wish::Import),
+                ];
+                for (text, way) in ways {
+                    wish = ui.button(text).clicked().then_some(way).or(wish);
+                }
+            }
+            (close, wish)
         })
         .inner
     });
-    let (close, lessons) = modal.inner;
-    (!(close || lessons || modal.should_close()), lessons)
+    let (close, wish) = modal.inner;
+    (!(close || wish.is_some() || modal.should_close()), wish)
 }

@@ -1,39 +1,35 @@
-//! How the page looks: light, dark, or for a projector. Until a person chooses, as their system does.
+//! How the page looks: light, dark, or for a projector. Until a person chooses, as their system does; where a link or the page
+//! around a frame says how, it looks so until the person chooses another.
 
-use egui::{Context, Theme};
+use egui::{Context, Theme, ThemePreference};
 
 use super::palette::{DARK, LIGHT, PROJECTOR, Palette};
-use crate::key::keys;
+pub use crate::scenario::view::Look;
 
-/// How the page looks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
-    /// Dark on light.
-    Light,
-    /// Light on dark.
-    Dark,
-    /// Strong colours on white.
-    Projector,
-}
-
-keys! {
-    Look {
-        Light => "light",
-        Dark => "dark",
-        Projector => "projector",
-    }
+/// Who wants which look.
+#[derive(Clone, Copy, Debug, Default)]
+struct Wanted {
+    /// The person.
+    chosen: Option<Look>,
+    /// A link, or the page around a frame.
+    lent: Option<Look>,
 }
 
 impl Look {
     /// The look that a person has chosen; `None` while it is that of the system.
     pub fn chosen(ctx: &Context) -> Option<Self> {
-        ctx.data(|data| data.get_temp::<bool>(projector_id())).map(|_| Self::of(ctx))
+        Wanted::of(ctx).chosen
+    }
+
+    /// The look that a link or the page around a frame has put in force.
+    pub fn lent(ctx: &Context) -> Option<Self> {
+        Wanted::of(ctx).lent
     }
 
     /// The look in force. Until one is chosen it is that of the system.
     pub fn of(ctx: &Context) -> Self {
         let dark = ctx.theme() == Theme::Dark;
-        let projector = ctx.data(|data| data.get_temp::<bool>(projector_id())).unwrap_or(false);
+        let projector = Wanted::of(ctx).in_force() == Some(Self::Projector);
         match (dark, projector) {
             (true, _) => Self::Dark,
             (false, true) => Self::Projector,
@@ -41,14 +37,14 @@ impl Look {
         }
     }
 
-    /// Puts a look in force.
+    /// Puts a look in force that a person has chosen.
     pub fn set(self, ctx: &Context) {
-        ctx.data_mut(|data| data.insert_temp(projector_id(), self == Self::Projector));
-        ctx.style_mut_of(Theme::Light, |style| {
-            let palette = if self == Self::Projector { &PROJECTOR } else { &LIGHT };
-            palette.dress(&mut style.visuals);
-        });
-        ctx.set_theme(if self == Self::Dark { Theme::Dark } else { Theme::Light });
+        Wanted { chosen: Some(self), lent: None }.put(ctx);
+    }
+
+    /// Puts a look in force that the person hasn't chosen; with `None` theirs again.
+    pub fn lend(look: Option<Self>, ctx: &Context) {
+        Wanted { lent: look, ..Wanted::of(ctx) }.put(ctx);
     }
 
     /// The one that comes after it.
@@ -98,6 +94,26 @@ impl Look {
     }
 }
 
-fn projector_id() -> egui::Id {
-    egui::Id::unique("projector look")
+impl Wanted {
+    fn of(ctx: &Context) -> Self {
+        ctx.data(|data| data.get_temp(egui::Id::unique("look"))).unwrap_or_default()
+    }
+
+    fn in_force(self) -> Option<Look> {
+        self.lent.or(self.chosen)
+    }
+
+    fn put(self, ctx: &Context) {
+        ctx.data_mut(|data| data.insert_temp(egui::Id::unique("look"), self));
+        let look = self.in_force();
+        ctx.style_mut_of(Theme::Light, |style| {
+            let palette = if look == Some(Look::Projector) { &PROJECTOR } else { &LIGHT };
+            palette.dress(&mut style.visuals);
+        });
+        ctx.set_theme(match look {
+            Some(Look::Dark) => ThemePreference::Dark,
+            Some(Look::Light | Look::Projector) => ThemePreference::Light,
+            None => ThemePreference::System,
+        });
+    }
 }

@@ -5,15 +5,17 @@ use egui::{
     WidgetText, style::ScrollAnimation,
 };
 
+use super::copy;
 use super::curtain::Curtain;
 use super::phasors::phasors_ui;
 use super::symbol::{Symbol, prose, symbol_ui};
 use super::theme::{self, Palette};
 use super::why::Why;
-use crate::content::LengthUnit;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::aircraft::states::Lateral;
 use crate::flight::analysis::{Margins, PlaneAnalysis};
+use crate::flight::feedback::closed_model::ClosedModel;
+use crate::flight::feedback::loop_modes::LoopMode;
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
@@ -23,11 +25,11 @@ use crate::flight::verdicts::task::Task;
 use crate::key::Keyed as _;
 use crate::number::{eigenvalue, significant};
 use crate::scenario::view::Details;
-use crate::scenario::{Hidden, Lock};
+use crate::scenario::{Convention, Hidden, Lock, Notation};
 use crate::words;
 
 /// The verdicts: dynamic, then static, each with its numbers where they aren't hidden.
-pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) {
+pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>, convention: Convention) {
     let curtain = Curtain::of(ui);
     if curtain.hides(Hidden::Verdicts) {
         return;
@@ -50,8 +52,8 @@ pub fn verdicts_ui(ui: &mut Ui, plane: &PlaneAnalysis, margins: Option<Margins>,
     if is_brief {
         verdict_ui(ui, words::stability::static_alone(plane), tone);
     } else {
-        verdict_ui(ui, &words::stability::static_sentence(plane, margins, length), tone)
-            .on_hover_text(words::stability::static_meaning(of_static));
+        verdict_ui(ui, &words::stability::static_sentence(plane, margins, convention), tone)
+            .on_hover_text(words::stability::static_meaning(of_static, convention.notation));
     }
 }
 
@@ -77,10 +79,14 @@ pub struct Card<'a> {
     pub plane: &'a PlaneAnalysis,
     /// The mode.
     pub mode: &'a Mode,
+    /// The same with every state, where a law flies, and the states beside the four.
+    pub whole: Option<(&'a LoopMode, &'a ClosedModel)>,
     /// The same mode of the pinned state.
     pub before: Option<&'a Mode>,
     /// Whether it is being flown alone.
     pub flown: bool,
+    /// The notation of formulas.
+    pub notation: Notation,
 }
 
 /// Draws a mode's card. Says whether the person asked to fly it alone, or to stop.
@@ -101,7 +107,7 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details, why: &mut Why
             title_ui(ui, plane, mode, details);
             numbers_ui(ui, mode);
             if !curtain.hides_any(&[Hidden::Reasons, Hidden::Numbers]) {
-                participation_ui(ui, plane.model.plane, mode);
+                participation_ui(ui, plane.model.plane, card);
             }
             if !curtain.hides_influence() {
                 ui.label(RichText::new(words::naming::reason(mode)).font(theme::small()).color(palette.weak));
@@ -118,10 +124,13 @@ pub fn card_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details, why: &mut Why
                 levels_ui(ui, plane, mode);
             }
             if details.approximations && !curtain.hides_influence() {
-                approximations_ui(ui, plane, mode);
+                approximations_ui(ui, card);
             }
         });
     let rect = frame.response.rect;
+    copy::offer(ui, rect, &|| {
+        format!("{}: {}", words::mode::title(mode.naming.name), words::mode::numbers(mode))
+    });
     let bar = Rect::from_min_size(rect.min, Vec2::new(4.0, rect.height()));
     ui.painter().rect_filled(bar, egui::CornerRadius { nw: 8, sw: 8, ne: 0, se: 0 }, color);
     fly
@@ -182,7 +191,7 @@ pub(super) fn hold_place(ui: &Ui, button: &Response, mode: ModeName, detail: &st
 
 /// What can be done with a mode and seen of it. Says whether it is to be flown alone, or no longer.
 fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
-    let Card { plane, mode, flown, .. } = card;
+    let Card { mode, flown, .. } = card;
     let curtain = Curtain::of(ui);
     let name = curtain.in_a_sentence(mode.naming.name);
     let mut fly = false;
@@ -223,8 +232,7 @@ fn buttons_ui(ui: &mut Ui, card: Card<'_>, details: &mut Details) -> bool {
                 "How large each quantity is in this mode, and how far ahead or behind it swings".into(),
             );
         }
-        if let Some((text, hover)) = approximation_button(plane, mode).filter(|_| !curtain.hides_influence())
-        {
+        if let Some((text, hover)) = approximation_button(card).filter(|_| !curtain.hides_influence()) {
             toggle(
                 ui,
                 &mut details.approximations,
@@ -244,9 +252,11 @@ fn approximations<'a>(plane: &'a PlaneAnalysis, mode: &Mode) -> impl Iterator<It
 }
 
 /// The button of the approximations, with the error of the first, and what it says on hover.
-fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, String)> {
+fn approximation_button(Card { plane, mode, whole, notation, .. }: Card<'_>) -> Option<(String, String)> {
     let first = approximations(plane, mode).next()?;
     let text = match first.error() {
+        // Its error is beside the aircraft alone, not beside this mode.
+        _ if whole.is_some_and(|(_, closed)| closed.is_fed_back()) => "Approx., open loop".to_owned(),
         Some(error) if error.abs() <= words::approximation::BEYOND_USE => {
             format!("Approx. {}", words::approximation::signed_percent(error))
         }
@@ -254,9 +264,9 @@ fn approximation_button(plane: &PlaneAnalysis, mode: &Mode) -> Option<(String, S
     };
     let hover = format!(
         "{}. {}\nLeaves out: {}\nPress to see all that the textbooks give.",
-        words::approximation::values(first),
-        words::approximation::formula(first.name),
-        words::approximation::neglects(first.name)
+        words::approximation::values(first, notation),
+        words::approximation::formula(first.name, notation),
+        words::approximation::neglects(first.name, notation)
     );
     Some((text, hover))
 }
@@ -372,13 +382,21 @@ fn levels_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
 }
 
 /// For each textbook approximation its formula and what it gives beside the exact value, and on hover what it leaves out.
-fn approximations_ui(ui: &mut Ui, plane: &PlaneAnalysis, mode: &Mode) {
+fn approximations_ui(ui: &mut Ui, Card { plane, mode, whole, notation, .. }: Card<'_>) {
     let palette = Palette::of(ui);
+    if let Some((_, closed)) = whole
+        && closed.pushes_the_four()
+    {
+        let text = RichText::new(words::feedback::alone(closed.is_fed_back())).font(theme::small());
+        ui.label(text.color(palette.warning));
+    }
     for approximation in approximations(plane, mode) {
-        let values = RichText::new(words::approximation::values(approximation)).font(theme::small());
-        let formula = prose(words::approximation::formula(approximation.name), theme::small(), palette.weak);
+        let values =
+            RichText::new(words::approximation::values(approximation, notation)).font(theme::small());
+        let formula = words::approximation::formula(approximation.name, notation);
+        let formula = prose(formula, theme::small(), palette.weak);
         let leaves_out = prose(
-            &format!("Leaves out: {}", words::approximation::neglects(approximation.name)),
+            &format!("Leaves out: {}", words::approximation::neglects(approximation.name, notation)),
             theme::body(),
             palette.text,
         );
@@ -457,40 +475,43 @@ fn entry_ui(ui: &mut Ui, width: f32, (symbol, text, meaning): &Entry) {
             ui.label(RichText::new(text).font(theme::semibold(theme::sizes(ui).value)));
         })
         .response;
+    let told = || format!("{} = {text}", Symbol::parse(symbol).plain());
+    copy::offer(ui, response.rect, &told);
     response.on_hover_text(*meaning);
 }
 
-/// Four segments as wide as the participation of each state.
-fn participation_ui(ui: &mut Ui, plane: Plane, mode: &Mode) {
+/// Segments as wide as the participation of each state.
+fn participation_ui(ui: &mut Ui, plane: Plane, Card { mode, whole, .. }: Card<'_>) {
     let bars = Palette::of(ui).bars(mode.naming.name);
     let (rect, response) =
         ui.allocate_exact_size(Vec2::new(ui.available_width(), 15.0), egui::Sense::hover());
     let mut x = rect.left();
     let mut words = Vec::new();
-    let shares = mode.participation;
+    let (shares, appended) = whole.map_or((&mode.participation[..], &[][..]), |(whole, closed)| {
+        (&whole.participation[..], &closed.appended[..])
+    });
     // Neighbours differ, and what a mode is known by is dark: of the phugoid's near halves always the same.
     let yaws = plane == Plane::Lateral && mode.share(Lateral::V) + mode.share(Lateral::R) > 0.5;
     let symbols = match plane {
         Plane::Longitudinal => ["u", "α", "q", "θ"],
         Plane::Lateral => ["β", "p", "r", "φ"],
     };
-    for (i, (symbol, share)) in symbols.into_iter().zip(shares).enumerate() {
+    let four = symbols.map(|symbol| [symbol, symbol]);
+    let states = four.into_iter().chain(appended.iter().map(|state| words::feedback::state(*state)));
+    for (i, ([symbol, name], share)) in states.zip(shares).enumerate() {
         let (bar, ink) = bars[(i + usize::from(!yaws)) % 2];
-        let width = rect.width() * share as f32;
+        let width = rect.width() * *share as f32;
         let segment =
             Rect::from_min_size(egui::pos2(x, rect.top()), Vec2::new((width - 1.0).max(0.0), rect.height()));
         ui.painter().rect_filled(segment, 3.0, bar);
         if width > 26.0 {
             let text = format!("{symbol} {:.0}", 100.0 * share);
-            ui.painter().text(
-                segment.center(),
-                egui::Align2::CENTER_CENTER,
-                text,
-                theme::semibold(theme::sizes(ui).tick),
-                ink,
-            );
+            let galley = ui.painter().layout_no_wrap(text, theme::semibold(theme::sizes(ui).tick), ink);
+            if galley.size().x <= width {
+                ui.painter().galley(segment.center() - 0.5 * galley.size(), galley, ink);
+            }
         }
-        words.push(format!("{symbol} {:.1} %", 100.0 * share));
+        words.push(format!("{name} {:.1} %", 100.0 * share));
         x += width;
     }
     let words = format!("Participation of the states: {}", words.join(", "));

@@ -389,7 +389,17 @@ impl Palette {
             }
             ModeName::DutchRollLessStableRoot | ModeName::DirectionalDivergence => self.dutch_roll_slow,
             ModeName::RollSubsidence | ModeName::RollDivergence => self.roll,
-            ModeName::Spiral => self.spiral,
+            ModeName::Spiral | ModeName::Height => self.spiral,
+            // Those of the feedback take what the other plane has, or what is seldom there in their own.
+            ModeName::ElevatorActuator => self.roll,
+            ModeName::Engine => self.dutch_roll_slow,
+            ModeName::Heading | ModeName::Position => self.phugoid_slow,
+            ModeName::AileronActuator => self.short_period_slow,
+            ModeName::RudderActuator => self.short_period,
+            ModeName::Washout => self.phugoid_slow,
+            ModeName::FeedbackOscillation => self.short_period_slow,
+            ModeName::FurtherState => self.third_mode,
+            ModeName::FurtherOscillation => self.divergence,
         }
     }
 

@@ -64,14 +64,18 @@ pub struct Filter<'a> {
 pub fn is_listed(parameter: &Parameter, scenario: &Scenario, page: Page, filter: Filter<'_>) -> bool {
     parameter.is_shown(scenario, page)
         && filter.stage.offers(parameter.key)
-        && is_wanted(parameter, &filter.search.trim().to_lowercase())
+        && is_wanted(
+            parameter,
+            parameter.written(scenario.convention()).symbol,
+            &filter.search.trim().to_lowercase(),
+        )
 }
 
 /// A search of fewer letters is for symbols and names only: it would be found in nearly every sentence.
 const FOR_SENTENCES: usize = 3;
 
 /// Letters and figures alone, Greek ones as one would type them on a plain keyboard: `C_mα` is `cma`.
-fn condensed(text: &str) -> String {
+pub fn condensed(text: &str) -> String {
     let latin = |c: char| match c {
         'α' => 'a',
         'β' => 'b',
@@ -87,7 +91,7 @@ fn condensed(text: &str) -> String {
 /// Whether the symbol as plain text, the key or the name has the wanted letters in it, whatever stands between them, or what is
 /// said of its meaning, sign and source has a word that begins with them. Who writes an underscore wants a symbol, not what
 /// moves it.
-fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
+fn is_wanted(parameter: &Parameter, shown: &str, wanted: &str) -> bool {
     let letters = condensed(wanted);
     if letters.is_empty() && !wanted.is_empty() {
         return false;
@@ -103,7 +107,9 @@ fn is_wanted(parameter: &Parameter, wanted: &str) -> bool {
             && !wanted.contains('_')
             && [parameter.meaning, parameter.sign, parameter.origin].into_iter().any(begins_a_word)
     };
-    condensed(&Symbol::parse(parameter.symbol).plain()).contains(&letters)
+    [parameter.symbol, shown]
+        .iter()
+        .any(|symbol| condensed(&Symbol::parse(symbol).plain()).contains(&letters))
         || condensed(parameter.key).contains(&letters)
         || parameter.name.to_lowercase().contains(wanted)
         || in_sentences()

@@ -36,6 +36,9 @@ const SUPERSCRIPT_RISE: f32 = 0.36;
 const ASCENT: f32 = 0.969;
 const DESCENT: f32 = 0.241;
 
+/// What a symbol may be wider than its place: a slider begins with a margin of its own \[points\].
+const OVERHANG: f32 = 8.0;
+
 /// A symbol or a short formula in the notation of this module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symbol<'a>(&'a str);
@@ -63,7 +66,8 @@ pub fn prose(text: &str, font: FontId, color: Color32) -> LayoutJob {
     job
 }
 
-/// Draws a symbol beside text and controls of a row: on their middle, in its own width or a given one.
+/// Draws a symbol beside text and controls of a row: on their middle, in its own width or a given one, in which it is smaller where it
+/// has no room otherwise.
 pub fn symbol_ui(
     ui: &mut Ui,
     symbol: &Symbol<'_>,
@@ -71,7 +75,7 @@ pub fn symbol_ui(
     color: Color32,
     width: Option<f32>,
 ) -> Response {
-    let galley = symbol.galley(ui, size, color);
+    let galley = symbol.fitting(ui, size, color, width.map_or(f32::INFINITY, |width| width + OVERHANG));
     let room =
         Vec2::new(width.unwrap_or(galley.size().x), ui.spacing().interact_size.y.min(ui.available_height()));
     let (place, response) = ui.allocate_exact_size(room, Sense::hover());
@@ -134,6 +138,13 @@ impl<'a> Symbol<'a> {
             return ui.painter().layout_no_wrap(self.0.to_owned(), theme::body(), color);
         }
         ui.painter().layout_job(self.job(size, color))
+    }
+
+    /// The same no wider than there is room.
+    pub fn fitting(&self, ui: &Ui, size: f32, color: Color32, room: f32) -> Arc<Galley> {
+        let galley = self.galley(ui, size, color);
+        let width = galley.size().x;
+        if width > room { self.galley(ui, size * room / width, color) } else { galley }
     }
 
     /// Whether it is a word, which belongs into the face of the text.

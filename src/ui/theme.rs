@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Button, Context, CornerRadius, FontFamily, FontId, InnerResponse, Margin, Response, RichText, Stroke,
+    Button, Context, CornerRadius, FontFamily, FontId, Id, InnerResponse, Margin, Response, RichText, Stroke,
     StrokeKind, TextStyle, Theme, Ui, Vec2,
 };
 
@@ -92,9 +92,34 @@ const SIZES: Sizes = Sizes {
     row_symbol: 16.0,
 };
 
+/// The same where a room looks on: nothing is smaller than text that explains.
+const FOR_A_ROOM: Sizes = Sizes {
+    tick: SIZES.small,
+    unit: SIZES.small,
+    chip: SIZES.small,
+    small_symbol: SIZES.inline_symbol,
+    ..SIZES
+};
+
 /// The sizes of type in force.
-pub const fn sizes(_: &Context) -> &'static Sizes {
-    &SIZES
+pub fn sizes(ctx: &Context) -> &'static Sizes {
+    if is_for_a_room(ctx) { &FOR_A_ROOM } else { &SIZES }
+}
+
+/// Makes what is drawn next fit for a room to look at, or for one person again.
+pub fn present(ctx: &Context, on: bool) {
+    if is_for_a_room(ctx) != on {
+        ctx.data_mut(|data| data.insert_temp(for_a_room(), on));
+    }
+}
+
+/// Whether a room looks on: then there are pictures and words, and nothing to press.
+pub fn is_for_a_room(ctx: &Context) -> bool {
+    ctx.data(|data| data.get_temp(for_a_room())).unwrap_or(false)
+}
+
+fn for_a_room() -> Id {
+    Id::unique("for a room")
 }
 
 /// Text of the page.
@@ -165,6 +190,14 @@ pub fn heading(ui: &mut Ui, text: RichText, level: usize) {
         node.set_role(Role::Heading);
         node.set_label(words);
         node.set_level(level);
+    });
+}
+
+/// Makes a part of the page one that a screen reader can jump to by its name.
+pub fn landmark(ui: &Ui, name: &str) {
+    ui.ctx().accesskit_node_builder(ui.unique_id(), |node| {
+        node.set_role(Role::Region);
+        node.set_label(name);
     });
 }
 

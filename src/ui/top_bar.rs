@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::containers::menu::menu_style;
 use egui::style::{ScrollStyle, StyleModifier};
-use egui::{Button, Color32, ComboBox, FontId, RichText, TextStyle, TextWrapMode, Ui, Vec2};
+use egui::{Button, Color32, ComboBox, FontId, Popup, Response, RichText, TextStyle, TextWrapMode, Ui, Vec2};
 
 use super::app::{Action, Pinned};
 use super::curtain::Curtain;
@@ -25,10 +25,14 @@ pub struct Bar<'a> {
     pub pinned: Option<&'a Pinned>,
     /// Whether there is something to undo and to redo.
     pub history: (bool, bool),
+    /// Whether the page stays with what was opened on it.
+    pub kept: bool,
     /// Whether the bar needs two rows.
     pub narrow: bool,
     /// Whether there is room for the flight condition and the name of the pinned state.
     pub roomy: bool,
+    /// Whether there is room for the less common tools too.
+    pub ample: bool,
 }
 
 /// Left and right of the list of aircraft, with its scroll bar.
@@ -106,6 +110,14 @@ fn aircraft_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
                 ui.close();
             }
         }
+        if !bar.kept {
+            ui.separator();
+            let own = ui.button("Your own aircraft …");
+            if own.on_hover_text("A file, or matrices that you paste (O)").clicked() {
+                action = Some(Action::Import);
+                ui.close();
+            }
+        }
     };
     let fixed = |ui: &mut Ui| {
         ui.set_max_width(width);
@@ -176,6 +188,8 @@ struct Tool {
 enum Does {
     Ask(Action),
     Dress(Look),
+    /// Opens a list of tools for which the bar has no room.
+    List(Vec<Tool>),
 }
 
 impl Tool {
@@ -187,6 +201,13 @@ impl Tool {
     /// The sheet of keys, which nobody finds by pressing one.
     fn help() -> Self {
         Self { hover: "Help: all keys (?)".to_owned(), ..Self::new("?", "Help: all keys", Action::Help) }
+    }
+
+    /// Those for which there is no room.
+    fn more(tools: Vec<Self>) -> Self {
+        let names: Vec<&str> = tools.iter().map(|tool| tool.name.as_str()).collect();
+        let (name, hover) = ("More".to_owned(), names.join("; "));
+        Self { text: "⋯", name, hover, is_enabled: true, does: Does::List(tools) }
     }
 }
 
@@ -209,11 +230,34 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
         is_enabled: true,
         does: Does::Dress(look),
     };
+    let pin = Tool { is_enabled: !curtain.locks(Lock::View), ..pin };
     let undo = Tool { is_enabled: bar.history.0, ..Tool::new("↶", "Undo", Action::Undo) };
     let redo = Tool { is_enabled: bar.history.1, ..Tool::new("↷", "Redo", Action::Redo) };
-    let mut tools = vec![share, pin, undo, redo, dress];
+    let mut tools = vec![share, pin, undo, redo];
+    // Each stands in the bar, or where there is no room in the list behind one sign.
+    let mut more = Vec::new();
+    let mut add = |place: usize, has_room: bool, tool: Tool| {
+        if has_room { tools.insert(place, tool) } else { more.push(tool) }
+    };
+    if !bar.kept {
+        add(0, !bar.narrow, Tool::new("Lessons", "Lessons: begin with a question", Action::Lessons));
+    }
+    let hover = "Present: the scene fills the screen, in large type (F)".to_owned();
+    add(1, bar.roomy, Tool { hover, ..Tool::new("Present", "Present the scene", Action::Present) });
+    if !bar.kept {
+        let hover = "Take along: a script, a file, data or a figure (X)".to_owned();
+        let take = Tool::new("Take along", "Take the scene along", Action::TakeAlong);
+        add(3, bar.ample, Tool { hover, ..take });
+    }
+    if !bar.kept {
+        // The page around a frame has a look of its own.
+        let last = if bar.narrow { &mut more } else { &mut tools };
+        last.push(dress);
+    }
+    if !more.is_empty() {
+        tools.push(Tool::more(more));
+    }
     if !bar.narrow {
-        tools.insert(0, Tool::new("Lessons", "Lessons: begin with a question", Action::Lessons));
         tools.push(Tool::help());
     }
     let pinned = bar
@@ -226,12 +270,11 @@ fn tools_ui(ui: &mut Ui, bar: Bar<'_>) -> Option<Action> {
 /// Shows a remark and tools up to the right edge, and gives what was asked for.
 fn from_the_right(ui: &mut Ui, narrow: bool, remark: Option<&str>, tools: Vec<Tool>) -> Option<Action> {
     // A sign alone is too narrow for a finger.
-    let (gap, least) = match (theme::is_for_fingers(ui), narrow) {
+    let (gap, least): (f32, f32) = match (theme::is_for_fingers(ui), narrow) {
         (true, _) => (4.0, 34.0),
         (false, true) => (6.0, 0.0),
         (false, false) => (12.0, 0.0),
     };
-    ui.spacing_mut().item_spacing.x = gap;
     // Laid out from the right they would be in the wrong order for the Tab key, so their widths are added up first.
     let width = |text: &str, font: FontId| {
         ui.painter().layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER).size().x
@@ -240,8 +283,11 @@ fn from_the_right(ui: &mut Ui, narrow: bool, remark: Option<&str>, tools: Vec<To
     let of_tools = tools.iter().map(|tool| width(tool.text, font.clone()).max(least));
     let of_remark = remark.map(|remark| width(remark, theme::small()));
     let all: Vec<f32> = of_remark.into_iter().chain(of_tools).collect();
-    let needed = all.iter().sum::<f32>() + gap * all.len().saturating_sub(1) as f32;
-    ui.add_space((ui.available_width() - needed).max(0.0));
+    let (needed, gaps) = (all.iter().sum::<f32>(), all.len().saturating_sub(1) as f32);
+    // Where they don't fit, a phone's width enlarged, they stand closer. One more gap is before the first.
+    let gap = gap.min((ui.available_width() - needed) / (gaps + 1.0)).max(0.0);
+    ui.spacing_mut().item_spacing.x = gap;
+    ui.add_space((ui.available_width() - needed - gap * gaps).max(0.0));
     if let Some(remark) = remark {
         ui.label(RichText::new(remark).font(theme::small()).color(Palette::of(ui).weak));
     }
@@ -249,12 +295,32 @@ fn from_the_right(ui: &mut Ui, narrow: bool, remark: Option<&str>, tools: Vec<To
     for tool in tools {
         let button = Button::new(tool.text).min_size(Vec2::new(least, 0.0));
         let response = theme::bare_button(ui, tool.is_enabled, button);
-        if response.accessible_name(tool.name).on_hover_text(tool.hover).clicked() {
-            match tool.does {
-                Does::Ask(asked) => action = Some(asked),
-                Does::Dress(look) => look.set(ui.ctx()),
-            }
+        let response = response.accessible_name(tool.name).on_hover_text(tool.hover);
+        match tool.does {
+            Does::Ask(asked) if response.clicked() => action = Some(asked),
+            Does::Dress(look) if response.clicked() => look.set(ui.ctx()),
+            Does::List(tools) => action = list_ui(&response, tools).or(action),
+            Does::Ask(_) | Does::Dress(_) => {}
         }
     }
     action
+}
+
+/// The list below the button that has more tools, once it is open.
+fn list_ui(button: &Response, tools: Vec<Tool>) -> Option<Action> {
+    let list = |ui: &mut Ui| {
+        let mut action = None;
+        for tool in tools {
+            // A sign alone says little in a list of words.
+            let text = if matches!(tool.does, Does::Dress(_)) { &tool.name } else { tool.text };
+            let is_pressed = ui.button(text).accessible_name(&tool.name).on_hover_text(tool.hover).clicked();
+            match tool.does {
+                Does::Ask(asked) if is_pressed => action = Some(asked),
+                Does::Dress(look) if is_pressed => look.set(ui.ctx()),
+                Does::Ask(_) | Does::Dress(_) | Does::List(_) => {}
+            }
+        }
+        action
+    };
+    Popup::menu(button).show(list)?.inner
 }

@@ -25,6 +25,8 @@ pub struct Why {
     known: Option<Known>,
     /// Whether the sentences are of another state than the one on screen.
     is_stale: bool,
+    /// Whether a law that is shown closed keeps them from being told.
+    is_under_law: bool,
     /// Whether the parts and the formula are shown, of all modes alike.
     is_open: bool,
 }
@@ -44,6 +46,14 @@ impl Why {
         let now = after.scenario();
         let pinned = pinned.filter(|pinned| pinned.scenario().aircraft.key == now.aircraft.key);
         let before = pinned.cloned().unwrap_or_else(|| self.reference(now));
+        let is_alone = after.plane().is_some_and(|plane| plane.model.further.is_none());
+        self.is_under_law =
+            after.is_fed_back() && is_alone && before.scenario().edited != after.scenario().edited;
+        // Reasons are told of the aircraft alone.
+        if [&before, after].into_iter().any(|findings| findings.flies_otherwise()) {
+            self.known = None;
+            return;
+        }
         if let Some(known) = &self.known
             && is_same(&known.before, &before)
             && is_same(&known.after, after)
@@ -60,12 +70,20 @@ impl Why {
             self.known = self.known.take().filter(is_of_this);
             return;
         }
-        let length = now.aircraft.length_unit;
+        let convention = now.convention();
         let reasons = Change::between(&before, after).map_or_else(Vec::new, |change| {
-            let of = |mode| words::change::reasons(&change, mode, length);
+            let of = |mode| words::change::reasons(&change, mode, convention);
             change.modes.iter().filter_map(|mode| Some((mode.name, of(mode)?))).collect()
         });
         self.known = Some(Known { before, after: after.clone(), is_since_pin: pinned.is_some(), reasons });
+    }
+
+    /// Where the reasons are, while a law that is shown closed keeps them from being told.
+    pub fn under_law_ui(&self, ui: &mut Ui) {
+        if self.is_under_law && !Curtain::of(ui).hides_influence() {
+            let text = RichText::new(words::change::UNDER_LAW).font(theme::small());
+            ui.label(text.color(Palette::of(ui).weak));
+        }
     }
 
     fn reference(&mut self, now: &Scenario) -> Rc<Findings> {

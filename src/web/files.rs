@@ -4,14 +4,14 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use egui::Context;
-use js_sys::Uint8Array;
+use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Blob, BlobPropertyBag, File, HtmlAnchorElement, HtmlInputElement, Response, Url};
 
 use crate::content::{TextFile, lessons};
-use crate::ui::{App, FileRequest};
+use crate::ui::{App, FileRequest, OwnFile};
 
 /// Folder of the course, below that of the page.
 const FOLDER: &str = "lessons";
@@ -25,14 +25,26 @@ pub struct Files {
     here: Rc<RefCell<Vec<Delivery>>>,
 }
 
-/// What was asked for, and what came of it.
-type Delivery = (FileRequest, Result<Vec<TextFile>, String>);
+/// What has come.
+#[derive(Debug)]
+enum Delivery {
+    /// What was asked for, and what came of it.
+    Asked(FileRequest, Result<Vec<TextFile>, String>),
+    /// What a person has chosen or dropped.
+    Own(Result<Vec<OwnFile>, String>),
+    /// What has become of a picture.
+    Told(String),
+}
 
 impl Files {
     /// Gives the page what has come. Before a frame is drawn.
     pub fn deliver(&self, app: &mut App) {
-        for (request, files) in self.here.take() {
-            app.receive(&request, files);
+        for delivery in self.here.take() {
+            match delivery {
+                Delivery::Asked(request, files) => app.receive(&request, files),
+                Delivery::Own(files) => app.open_own_files(files),
+                Delivery::Told(sentence) => app.tell(&sentence),
+            }
         }
     }
 
@@ -40,8 +52,8 @@ impl Files {
     pub fn fetch(&self, ctx: &Context, app: &mut App) {
         while let Some(request) = app.take_file_request() {
             let (here, ctx) = (self.here.clone(), ctx.clone());
-            let deliver = move |request, files| {
-                here.borrow_mut().push((request, files));
+            let deliver = move |delivery| {
+                here.borrow_mut().push(delivery);
                 ctx.request_repaint();
             };
             match &request {
@@ -54,16 +66,26 @@ impl Files {
                     let _ = save(file);
                     continue;
                 }
-                FileRequest::Course | FileRequest::Lesson(_) | FileRequest::Dropped(_) => {}
+                FileRequest::Print(page) => {
+                    let _ = called("eigenwingPrint", &Array::of1(&page.as_str().into()));
+                    continue;
+                }
+                FileRequest::Course
+                | FileRequest::Lesson(_)
+                | FileRequest::Dropped(_)
+                | FileRequest::Picture { .. } => {}
             }
             spawn_local(async move {
                 let files = match &request {
                     FileRequest::Course => course().await,
                     FileRequest::Lesson(path) => lesson(path).await,
-                    FileRequest::Dropped(files) => dropped(files).await,
-                    FileRequest::Pick | FileRequest::Save(_) => return,
+                    FileRequest::Dropped(files) => return deliver(Delivery::Own(dropped(files).await)),
+                    FileRequest::Picture { svg, copies } => {
+                        return deliver(Delivery::Told(picture(svg, *copies).await));
+                    }
+                    FileRequest::Pick | FileRequest::Save(_) | FileRequest::Print(_) => return,
                 };
-                deliver(request, files);
+                deliver(Delivery::Asked(request, files));
             });
         }
     }
@@ -87,12 +109,12 @@ async fn lesson(path: &str) -> Result<Vec<TextFile>, String> {
     Ok(files)
 }
 
-async fn dropped(handles: &[egui::DroppedFileHandle]) -> Result<Vec<TextFile>, String> {
+async fn dropped(handles: &[egui::DroppedFileHandle]) -> Result<Vec<OwnFile>, String> {
     let mut files = Vec::new();
     for handle in handles {
         let name = handle.path().to_string_lossy().into_owned();
         let bytes = handle.bytes_async().await.map_err(|_| format!("“{name}” can’t be read."))?;
-        files.push(TextFile::from_bytes(&name, &bytes).map_err(|error| format!("{error}."))?);
+        files.push(OwnFile { name, bytes: bytes.to_vec() });
     }
     Ok(files)
 }
@@ -112,7 +134,7 @@ async fn text_of(path: &str) -> Result<TextFile, String> {
 }
 
 /// Lets the person choose files.
-fn pick(deliver: impl FnOnce(FileRequest, Result<Vec<TextFile>, String>) + 'static) {
+fn pick(deliver: impl FnOnce(Delivery) + 'static) {
     let input = web_sys::window()
         .and_then(|window| window.document())
         .and_then(|document| document.create_element("input").ok())
@@ -125,17 +147,18 @@ fn pick(deliver: impl FnOnce(FileRequest, Result<Vec<TextFile>, String>) + 'stat
         let list = chooser.files();
         let chosen: Vec<File> =
             list.iter().flat_map(|list| (0..list.length()).filter_map(|index| list.get(index))).collect();
-        spawn_local(async move { deliver(FileRequest::Pick, picked(&chosen).await) });
+        spawn_local(async move { deliver(Delivery::Own(picked(&chosen).await)) });
     });
     input.set_onchange(Some(changed.unchecked_ref()));
     input.click();
 }
 
-/// Has the browser save a page.
+/// Has the browser save a file.
 fn save(file: &TextFile) -> Result<(), JsValue> {
     let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no document")?;
     let kind = BlobPropertyBag::new();
-    kind.set_type("text/html;charset=utf-8");
+    let is_page = file.name.ends_with(".html");
+    kind.set_type(if is_page { "text/html;charset=utf-8" } else { "text/plain;charset=utf-8" });
     let parts = js_sys::Array::of1(&file.text.as_str().into());
     let url = Url::create_object_url_with_blob(&Blob::new_with_str_sequence_and_options(&parts, &kind)?)?;
     let anchor: HtmlAnchorElement = document.create_element("a")?.dyn_into()?;
@@ -145,13 +168,29 @@ fn save(file: &TextFile) -> Result<(), JsValue> {
     Url::revoke_object_url(&url)
 }
 
-async fn picked(chosen: &[File]) -> Result<Vec<TextFile>, String> {
+/// Has the browser make a picture of a figure, and save or copy it; what came of it.
+async fn picture(svg: &TextFile, copies: bool) -> String {
+    let name = svg.name.replace(".svg", ".png");
+    let args = Array::of3(&name.as_str().into(), &svg.text.as_str().into(), &copies.into());
+    let made = match called("eigenwingPicture", &args).and_then(|made| made.dyn_into::<Promise>()) {
+        Ok(promise) => JsFuture::from(promise).await,
+        Err(error) => Err(error),
+    };
+    made.ok().and_then(|said| said.as_string()).unwrap_or_else(|| format!("⚠ {name} can’t be drawn"))
+}
+
+/// Calls a function of web/page.js.
+fn called(name: &str, args: &Array) -> Result<JsValue, JsValue> {
+    let function: Function = Reflect::get(&js_sys::global(), &name.into())?.dyn_into()?;
+    function.apply(&JsValue::NULL, args)
+}
+
+async fn picked(chosen: &[File]) -> Result<Vec<OwnFile>, String> {
     let mut files = Vec::new();
     for file in chosen {
         let failed = |_: JsValue| format!("“{}” can’t be read.", file.name());
         let bytes = JsFuture::from(file.array_buffer()).await.map_err(failed)?;
-        let read = TextFile::from_bytes(&file.name(), &Uint8Array::new(&bytes).to_vec());
-        files.push(read.map_err(|error| format!("{error}."))?);
+        files.push(OwnFile { name: file.name(), bytes: Uint8Array::new(&bytes).to_vec() });
     }
     Ok(files)
 }

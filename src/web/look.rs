@@ -1,4 +1,4 @@
-//! The look that a person has chosen, in the browser's storage. It is no part of a link: whoever opens one keeps their own.
+//! The look that a person has chosen, in the browser's storage; without one, the look that their system asks for. One that a link or the page around a frame puts in force isn't kept.
 
 use egui::Context;
 
@@ -22,6 +22,8 @@ impl KeptLook {
         let look = stored.as_deref().and_then(Look::by_key);
         if let Some(look) = look {
             look.set(ctx);
+        } else if Look::lent(ctx).is_none() && wants_contrast() {
+            Look::lend(Some(Look::Projector), ctx);
         }
         Self(look)
     }
@@ -39,4 +41,16 @@ impl KeptLook {
             let _ = storage.set_item(LOOK, look.key());
         }
     }
+}
+
+/// Whether the system asks for strong contrasts or for its own few colours, and for a light page: a dark one has them anyway.
+fn wants_contrast() -> bool {
+    let asks = |query: &str| {
+        let window = web_sys::window();
+        window
+            .and_then(|window| window.match_media(query).ok().flatten())
+            .is_some_and(|query| query.matches())
+    };
+    (asks("(forced-colors: active)") || asks("(prefers-contrast: more)"))
+        && !asks("(prefers-color-scheme: dark)")
 }

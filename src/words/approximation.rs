@@ -1,10 +1,23 @@
 //! The textbooks' approximations: what each is called, its formula, and what it leaves out.
 
+use std::borrow::Cow;
+
 use crate::flight::modes::approximations::{Approximation, ApproximationName, ModeValue};
 use crate::number::{fixed, significant};
+use crate::scenario::Notation;
+use crate::words::notation;
 
 /// The approximation, named after the one mode that it is of.
-pub const fn name(name: ApproximationName) -> &'static str {
+pub const fn name(name: ApproximationName, notation: Notation) -> &'static str {
+    match (name, notation) {
+        (ApproximationName::ShortPeriodTwoStates, Notation::Angles) => "two degrees of freedom (α, q)",
+        (ApproximationName::PhugoidResidualised, Notation::Angles) => "quasi-steady α and q",
+        (ApproximationName::DutchRollTwoStates, Notation::Angles) => "two degrees of freedom (β, r)",
+        (name, _) => name_in_velocities(name),
+    }
+}
+
+const fn name_in_velocities(name: ApproximationName) -> &'static str {
     match name {
         ApproximationName::ShortPeriodTwoStates => "two degrees of freedom (w, q)",
         ApproximationName::ShortPeriodPitchOnly => "one degree of freedom (pitch)",
@@ -21,7 +34,30 @@ pub const fn name(name: ApproximationName) -> &'static str {
 }
 
 /// Its formula in the symbols of the sliders: without a prime those of the dimensional derivatives, with a prime those of A.
-pub const fn formula(name: ApproximationName) -> &'static str {
+pub const fn formula(name: ApproximationName, notation: Notation) -> &'static str {
+    match (name, notation) {
+        (ApproximationName::ShortPeriodTwoStates, Notation::Angles) => {
+            "ωₙ² = Z_α M_q/V − M_α,  2ζωₙ = −(Z_α/V + M_q + M_α\u{307})"
+        }
+        (ApproximationName::ShortPeriodPitchOnly, Notation::Angles) => {
+            "ωₙ² = −M_α,  2ζωₙ = −(M_q + M_α\u{307})"
+        }
+        (ApproximationName::PhugoidResidualised, Notation::Angles) => {
+            "ωₙ² = det Aᵣ,  2ζωₙ = −tr Aᵣ,  Aᵣ = A₁₁ − A₁₂ A₂₂⁻¹ A₂₁,  1 = (u, θ), 2 = (α, q)"
+        }
+        (ApproximationName::DutchRollTwoStates, Notation::Angles) => {
+            "ωₙ² = N′_β + Y_β N′_r/V,  2ζωₙ = −(Y_β/V + N′_r)"
+        }
+        (ApproximationName::DutchRollYawOnly, Notation::Angles) => "ωₙ² = N′_β,  2ζωₙ = −N′_r",
+        (ApproximationName::SpiralWithGravity, Notation::Angles) => {
+            "λ = −(g/V)(L′_β N′_r − N′_β L′_r) / (L′_β (N′_p − g/V) − N′_β L′_p)"
+        }
+        (ApproximationName::SpiralQuick, Notation::Angles) => "λ = (L′_β N′_r − N′_β L′_r)/L′_β",
+        (name, _) => formula_in_velocities(name),
+    }
+}
+
+const fn formula_in_velocities(name: ApproximationName) -> &'static str {
     match name {
         ApproximationName::ShortPeriodTwoStates => "ωₙ² = Z_w M_q − V M_w,  2ζωₙ = −(Z_w + M_q + V M_ẇ)",
         ApproximationName::ShortPeriodPitchOnly => "ωₙ² = −V M_w,  2ζωₙ = −(M_q + V M_ẇ)",
@@ -43,7 +79,14 @@ pub const fn formula(name: ApproximationName) -> &'static str {
 }
 
 /// The terms and motions that it leaves out, in a sentence.
-pub const fn neglects(name: ApproximationName) -> &'static str {
+pub fn neglects(name: ApproximationName, notation: Notation) -> Cow<'static, str> {
+    if let (ApproximationName::PhugoidResidualised, Notation::Angles) = (name, notation) {
+        return "The time that α and q take: they follow u and θ at once.".into();
+    }
+    notation::prose(neglected(name), notation)
+}
+
+const fn neglected(name: ApproximationName) -> &'static str {
     match name {
         ApproximationName::ShortPeriodTwoStates => "Changes of speed: u is held at zero.",
         ApproximationName::ShortPeriodPitchOnly => {
@@ -83,8 +126,8 @@ pub const fn neglects(name: ApproximationName) -> &'static str {
 pub const BEYOND_USE: f64 = 1.0;
 
 /// The numbers of an approximation beside those of the exact mode: "two degrees of freedom (w, q): ωₙ 3.60 rad/s, exact 3.61, −0.2 %; ζ …".
-pub fn values(approximation: &Approximation) -> String {
-    let name = name(approximation.name);
+pub fn values(approximation: &Approximation, notation: Notation) -> String {
+    let name = name(approximation.name, notation);
     let beside = |symbol: &str, unit: &str, given: f64, exact: Option<f64>, error: Option<f64>| {
         let exact = exact.map_or_else(String::new, |exact| format!(", exact {}", significant(exact, 3)));
         let error = match error {

@@ -1,22 +1,26 @@
 //! Why a mode has moved: what changed, by which derivatives, and the formula that has it. At most three sentences a mode.
 
-use crate::content::LengthUnit;
 use crate::findings::change::{
     Cause, Change, Formula, IXZ_OVER_IX, IXZ_OVER_IZ, Kind, Measured, ModeChange, Moved, Oscillation,
     SharedDamping, Shift, Terms,
 };
 use crate::flight::modes::approximations::ApproximationName;
 use crate::number::significant;
-use crate::scenario::Parameter;
+use crate::scenario::{Convention, Notation, Parameter, Written};
 use crate::words::approximation::signed_percent;
 use crate::words::mode;
 
 /// The head of the sentences.
 pub const TITLE: &str = "Why it moved";
+/// Where that is told under a law of feedback.
+pub const UNDER_LAW: &str = "Why a mode moved is told of the aircraft without its law: show the loop open";
 /// What it is compared with: the aircraft's file.
 pub const SINCE_FILE: &str = "Compared with the aircraft as its source has it";
 /// What it is compared with: the pinned state.
 pub const SINCE_PIN: &str = "Compared with the pinned state";
+/// Why it is compared with the file although something is pinned.
+pub const OTHER_PINNED: &str =
+    "The pinned state is another aircraft: this one is compared with its own source instead.";
 /// What more there is.
 pub const MORE_MEANING: &str =
     "The part of each derivative, which add up to the change, and the formula that has it";
@@ -42,7 +46,7 @@ pub struct Reasons {
 }
 
 /// Why a mode has moved; `None` where it hasn't.
-pub fn reasons(change: &Change, mode: &ModeChange, length: LengthUnit) -> Option<Reasons> {
+pub fn reasons(change: &Change, mode: &ModeChange, convention: Convention) -> Option<Reasons> {
     let (headline, more) = match &mode.kind {
         Kind::Still => return None,
         Kind::New => (
@@ -50,20 +54,20 @@ pub fn reasons(change: &Change, mode: &ModeChange, length: LengthUnit) -> Option
             Vec::new(),
         ),
         Kind::Root(shift) => {
-            let headline = format!("λ\u{a0}{}\u{a0}1/s{}.", arrow(shift), by(&[shift]));
-            (headline, vec![chain(change, &[("λ", shift)], length), root_formula(shift)])
+            let headline = format!("λ\u{a0}{}\u{a0}1/s{}.", arrow(shift), by(&[shift], convention));
+            (headline, vec![chain(change, &[("λ", shift)], convention), root_formula(shift, convention)])
         }
         Kind::Oscillation(oscillation) => {
-            let headline = oscillation_headline(mode, oscillation);
+            let headline = oscillation_headline(mode, oscillation, convention);
             let Oscillation { frequency, damping_ratio, .. } = oscillation;
-            let chain = chain(change, &[("ωₙ", frequency), ("ζ", damping_ratio)], length);
-            (headline, vec![chain, oscillation_formula(oscillation)])
+            let chain = chain(change, &[("ωₙ", frequency), ("ζ", damping_ratio)], convention);
+            (headline, vec![chain, oscillation_formula(oscillation, convention)])
         }
     };
     Some(Reasons { headline, more: more.into_iter().flatten().collect() })
 }
 
-fn oscillation_headline(mode: &ModeChange, oscillation: &Oscillation) -> String {
+fn oscillation_headline(mode: &ModeChange, oscillation: &Oscillation, convention: Convention) -> String {
     let Oscillation { oscillates, frequency, damping_ratio, period, .. } = oscillation;
     let mut told = Vec::new();
     if frequency.is_notable {
@@ -79,7 +83,7 @@ fn oscillation_headline(mode: &ModeChange, oscillation: &Oscillation) -> String 
     }
     let shifts: Vec<&Shift> =
         [frequency, damping_ratio].into_iter().filter(|shift| shift.is_notable).collect();
-    let told = format!("{}{}.", told.join(", "), by(&shifts));
+    let told = format!("{}{}.", told.join(", "), by(&shifts, convention));
     match oscillates {
         [true, false] => format!("The oscillation has become two real roots; together, {told}"),
         [false, true] => {
@@ -90,12 +94,12 @@ fn oscillation_headline(mode: &ModeChange, oscillation: &Oscillation) -> String 
 }
 
 /// ", by M_q": the derivatives that have most of it.
-fn by(shifts: &[&Shift]) -> String {
+fn by(shifts: &[&Shift], convention: Convention) -> String {
     let named = named(shifts);
     if named.is_empty() {
         return String::new();
     }
-    let symbols: Vec<&str> = named.iter().map(|key| symbol(key)).collect();
+    let symbols: Vec<&str> = named.iter().map(|key| symbol(key, convention)).collect();
     let others = shifts.iter().filter_map(|shift| shift.causes.as_ref()).any(|causes| {
         causes.iter().any(|cause| !named.contains(&cause.moved.key) && is_notable_beside(cause, causes))
     });
@@ -123,7 +127,7 @@ fn named(shifts: &[&Shift]) -> Vec<&'static str> {
 }
 
 /// "C_mq moves M_q −2.08 → −4.15 1/s: ωₙ +15 %, ζ +0.16.": the chain with the exact parts, which add up.
-fn chain(change: &Change, shifts: &[(&str, &Shift)], length: LengthUnit) -> Option<String> {
+fn chain(change: &Change, shifts: &[(&str, &Shift)], convention: Convention) -> Option<String> {
     let told: Vec<&(&str, &Shift)> = shifts.iter().filter(|(_, shift)| shift.is_notable).collect();
     let only: Vec<&Shift> = told.iter().map(|(_, shift)| *shift).collect();
     if only.iter().any(|shift| shift.causes.is_none()) {
@@ -146,9 +150,9 @@ fn chain(change: &Change, shifts: &[(&str, &Shift)], length: LengthUnit) -> Opti
         .filter_map(|key| {
             let moved = all.iter().find(|cause| cause.moved.key == *key)?.moved;
             let range = if edited == [*key] && named.len() > 1 {
-                format!("{} itself", symbol(key))
+                format!("{} itself", symbol(key, convention))
             } else {
-                format!("{} {}", symbol(key), range(&moved, length))
+                format!("{} {}", symbol(key, convention), range(&moved, convention))
             };
             Some(if all.iter().all(|cause| cause.moved.key == *key) {
                 format!("{range}, and that alone makes {}", parts(&|shift| part(key, shift)))
@@ -166,7 +170,7 @@ fn chain(change: &Change, shifts: &[(&str, &Shift)], length: LengthUnit) -> Opti
         pieces.extend((!rest.is_empty()).then(|| format!("the rest ({rest})")));
     }
     let subject = match edited.as_slice() {
-        [only] if named.as_slice() != [*only] => format!("{} moves ", symbol(only)),
+        [only] if named.as_slice() != [*only] => format!("{} moves ", symbol(only, convention)),
         _ => String::new(),
     };
     (!pieces.is_empty()).then(|| format!("{subject}{}.", pieces.join("; ")))
@@ -185,22 +189,22 @@ fn signed(x: f64) -> String {
     format!("{}{}", if x >= 0.0 { "+" } else { "" }, significant(x, 2))
 }
 
-fn root_formula(shift: &Shift) -> Option<String> {
+fn root_formula(shift: &Shift, convention: Convention) -> Option<String> {
     let [before, after] = shift.formula.as_ref()?;
-    Some(format!("{} ({}).", formula(before, after), within([before, after])))
+    Some(format!("{} ({}).", formula(before, after, convention), within([before, after])))
 }
 
 /// The formula that has it: of ωₙ, of ζ or of both, with what it means where that is not in the formula.
-fn oscillation_formula(oscillation: &Oscillation) -> Option<String> {
+fn oscillation_formula(oscillation: &Oscillation, convention: Convention) -> Option<String> {
     let Oscillation { frequency, damping_ratio, damping, shared, .. } = oscillation;
     // The end of the quartic says nothing that one could picture: only where there is nothing else.
     let is_plain = |pair: &&[Formula; 2]| {
         pair[0].name != ApproximationName::PhugoidQuartic || frequency.formula.is_none()
     };
     let mut told: Vec<String> = Vec::new();
-    told.extend(frequency.formula.as_ref().map(with_error));
+    told.extend(frequency.formula.as_ref().map(|pair| with_error(pair, convention)));
     if let Some(pair) = damping_ratio.formula.as_ref().filter(is_plain) {
-        told.push(with_error(pair));
+        told.push(with_error(pair, convention));
     } else if damping_ratio.is_notable && is_left_alone(damping, damping_ratio) {
         told.push(left_alone(damping, damping_ratio, frequency));
     } else if damping_ratio.is_notable
@@ -208,7 +212,7 @@ fn oscillation_formula(oscillation: &Oscillation) -> Option<String> {
         && (damping[1] - damping[0]).abs() > SHARED * damping[0].abs()
     {
         let the = if told.is_empty() { "The" } else { "the" };
-        told.push(format!("{the} {}", shared_damping(shared, damping)));
+        told.push(format!("{the} {}", shared_damping(shared, damping, convention.notation)));
     }
     if told.is_empty() && frequency.causes.is_some() && damping_ratio.causes.is_some() {
         told.push("No textbook formula here has this change; the parts are of the exact roots".to_owned());
@@ -238,8 +242,8 @@ fn goes(change: f64) -> &'static str {
     if change > 0.0 { "rises" } else { "falls" }
 }
 
-fn with_error([before, after]: &[Formula; 2]) -> String {
-    format!("{} ({})", formula(before, after), within([before, after]))
+fn with_error([before, after]: &[Formula; 2], convention: Convention) -> String {
+    format!("{} ({})", formula(before, after, convention), within([before, after]))
 }
 
 /// "within 2 % of exact": the largest error before and after; of the change too, where that is smaller.
@@ -261,8 +265,11 @@ fn percent(error: f64) -> String {
 }
 
 /// A formula with its numbers before and after.
-fn formula(before: &Formula, after: &Formula) -> String {
-    let text = written(before.name, before.measured);
+fn formula(before: &Formula, after: &Formula, convention: Convention) -> String {
+    let text = match convention.notation {
+        Notation::Velocities => written(before.name, before.measured),
+        Notation::Angles => written_in_angles(before.name, before.measured),
+    };
     match (&before.terms, &after.terms) {
         (Terms::Sum(from), Terms::Sum(to)) => {
             format!("{text} = {}", between(&sum(from), &sum(to), unit(before.measured)))
@@ -271,8 +278,14 @@ fn formula(before: &Formula, after: &Formula) -> String {
             let is_phugoid = before.name == ApproximationName::PhugoidResidualised;
             let plain = |over: &[f64; 2]| MUCH_LARGER * over[1].abs() < over[0].abs();
             if is_phugoid && plain(over) && plain(over_to) && is_braked(under) && is_braked(under_to) {
-                return yielding([over, over_to], [under, under_to]);
+                return yielding([over, over_to], [under, under_to], convention.notation);
             }
+            // Both parts of the spiral's have L_v and N_v, so that V is in both.
+            let is_spiral =
+                matches!(before.name, ApproximationName::SpiralWithGravity | ApproximationName::SpiralQuick);
+            let in_angles = is_spiral && convention.notation == Notation::Angles;
+            let factor = if in_angles { convention.speed.lateral } else { 1.0 };
+            let bracket = |terms: &[f64; 2]| bracket(&terms.map(|term| term * factor));
             let quotient =
                 |over: &[f64; 2], under: &[f64; 2]| format!("{}/{}", bracket(over), bracket(under));
             let numbers = [quotient(over, under), quotient(over_to, under_to)];
@@ -288,20 +301,24 @@ fn is_braked([damping, stiffness]: &[f64; 2]) -> bool {
 }
 
 /// The phugoid with the angle of attack that gives way: ωₙ² = (−Z_u g/V) (−V M_w)/(Z_w M_q − V M_w).
-fn yielding(over: [&[f64; 2]; 2], under: [&[f64; 2]; 2]) -> String {
+fn yielding(over: [&[f64; 2]; 2], under: [&[f64; 2]; 2], notation: Notation) -> String {
     let share = |[damping, stiffness]: &[f64; 2]| significant(100.0 * stiffness / (damping + stiffness), 2);
     // g M_w Z_u/(−V M_w) = −Z_u g/V
     let full = |k: usize| significant(over[k][0] / under[k][1], 3);
+    let (moment, left) = match notation {
+        Notation::Velocities => ("M_w w", "−V M_w/(Z_w M_q − V M_w)"),
+        Notation::Angles => ("M_α α", "−M_α/(Z_α M_q/V − M_α)"),
+    };
     format!(
-        "As the path bends, the turn meets M_q q, and α gives way until M_w w balances it: of ωₙ² = −Z_u g/V, {}, \
-         there is left −V M_w/(Z_w M_q − V M_w), {}",
+        "As the path bends, the turn meets M_q q, and α gives way until {moment} balances it: of ωₙ² = −Z_u g/V, {}, \
+         there is left {left}, {}",
         between(&full(0), &full(1), " 1/s²"),
         between(&share(under[0]), &share(under[1]), "\u{a0}%"),
     )
 }
 
 /// Where the damping of the Dutch roll goes that isn't in v and r.
-fn shared_damping(shared: &SharedDamping, damping: &[f64; 2]) -> String {
+fn shared_damping(shared: &SharedDamping, damping: &[f64; 2], notation: Notation) -> String {
     let SharedDamping { trace, roll, spiral, bank } = shared;
     let [of_trace, of_roll, of_spiral] = [trace, roll, spiral].map(|[from, to]| to - from);
     let of_yaw = damping[0] - damping[1];
@@ -317,8 +334,12 @@ fn shared_damping(shared: &SharedDamping, damping: &[f64; 2]) -> String {
         format!("λ of the spiral {}, ", signed(of_spiral))
     };
     let more = if bank[1] > bank[0] { "more" } else { "less" };
+    let side = match notation {
+        Notation::Velocities => "Y_v",
+        Notation::Angles => "Y_β/V",
+    };
     format!(
-        "roots add up to Y_v + L′_p + N′_r, which {sum}: λ of the roll mode takes {}, {spiral}−2ζωₙ of the Dutch roll {}; \
+        "roots add up to {side} + L′_p + N′_r, which {sum}: λ of the roll mode takes {}, {spiral}−2ζωₙ of the Dutch roll {}; \
          it banks {more} for its sideslip, |φ/β| {}",
         signed(of_roll),
         signed(of_yaw),
@@ -349,6 +370,35 @@ const fn written(name: ApproximationName, measured: Measured) -> &'static str {
         (Name::SpiralPolynomial, _) => "λ = −E/D of the characteristic polynomial",
         (Name::SpiralWithGravity, _) => "λ = −(g/V)(L′_v N′_r − N′_v L′_r)/(L′_v (N′_p − g/V) − N′_v L′_p)",
         (Name::SpiralQuick, _) => "λ = (L′_v N′_r − N′_v L′_r)/L′_v",
+    }
+}
+
+/// The same in α and β, with the same numbers but for those of the spiral.
+const fn written_in_angles(name: ApproximationName, measured: Measured) -> &'static str {
+    use ApproximationName as Name;
+    match (name, measured) {
+        (Name::ShortPeriodTwoStates, Measured::Frequency) => "ωₙ² = Z_α M_q/V − M_α",
+        (Name::ShortPeriodTwoStates, _) => "2ζωₙ = −(Z_α/V + M_q + M_α\u{307})",
+        (Name::ShortPeriodPitchOnly, Measured::Frequency) => "ωₙ² = −M_α",
+        (Name::ShortPeriodPitchOnly, _) => "2ζωₙ = −(M_q + M_α\u{307})",
+        (Name::PhugoidResidualised, Measured::Frequency) => {
+            "ωₙ² = (g/V)(M_α Z_u − M_u Z_α)/(Z_α M_q/V − M_α)"
+        }
+        (Name::DutchRollTwoStates, Measured::Frequency) => "ωₙ² = N′_β + Y_β N′_r/V",
+        (Name::DutchRollTwoStates, _) => "2ζωₙ = −(Y_β/V + N′_r)",
+        (Name::DutchRollYawOnly, Measured::Frequency) => "ωₙ² = N′_β",
+        (Name::SpiralWithGravity, _) => "λ = −(g/V)(L′_β N′_r − N′_β L′_r)/(L′_β (N′_p − g/V) − N′_β L′_p)",
+        (Name::SpiralQuick, _) => "λ = (L′_β N′_r − N′_β L′_r)/L′_β",
+        (
+            Name::PhugoidLanchester
+            | Name::PhugoidTwoStates
+            | Name::PhugoidResidualised
+            | Name::PhugoidQuartic
+            | Name::DutchRollYawOnly
+            | Name::RollDamping
+            | Name::SpiralPolynomial,
+            _,
+        ) => written(name, measured),
     }
 }
 
@@ -402,13 +452,13 @@ fn digits(from: f64, to: f64) -> usize {
 }
 
 /// From and to, with the unit in which the slider shows it.
-fn range(moved: &Moved, length: LengthUnit) -> String {
+fn range(moved: &Moved, convention: Convention) -> String {
     let Moved { key, from, to } = *moved;
     match Parameter::find(key) {
         Some(parameter) => {
             let digits = digits(from, to);
-            let unit = parameter.dimension.symbol(length);
-            let [from, to] = [from, to].map(|x| significant(x / parameter.dimension.in_si(length), digits));
+            let Written { unit, in_si, .. } = parameter.written(convention);
+            let [from, to] = [from, to].map(|x| significant(x / in_si, digits));
             let space = if unit.is_empty() { "" } else { "\u{a0}" };
             format!("{from}\u{a0}→\u{a0}{to}{space}{unit}")
         }
@@ -417,11 +467,11 @@ fn range(moved: &Moved, length: LengthUnit) -> String {
 }
 
 /// The symbol of a parameter, or of a ratio of inertias.
-fn symbol(key: &str) -> &'static str {
+fn symbol(key: &str, convention: Convention) -> &'static str {
     match key {
         IXZ_OVER_IX => "I_xz/I_x",
         IXZ_OVER_IZ => "I_xz/I_z",
-        _ => Parameter::find(key).map_or("", |parameter| parameter.symbol),
+        _ => Parameter::find(key).map_or("", |parameter| parameter.written(convention).symbol),
     }
 }
 
@@ -435,8 +485,11 @@ fn list(symbols: &[&str]) -> String {
 }
 
 /// What was moved, for the head of it all: "C_mq −9.96 → −19.9 1/rad".
-pub fn edits(change: &Change, length: LengthUnit) -> String {
-    let each: Vec<String> =
-        change.edits.iter().map(|edit| format!("{} {}", symbol(edit.key), range(edit, length))).collect();
+pub fn edits(change: &Change, convention: Convention) -> String {
+    let each: Vec<String> = change
+        .edits
+        .iter()
+        .map(|edit| format!("{} {}", symbol(edit.key, convention), range(edit, convention)))
+        .collect();
     each.join("; ")
 }

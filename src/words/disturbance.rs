@@ -15,6 +15,12 @@ pub const fn source(source: Source) -> &'static str {
         Source::Turbulence => "Turbulence",
         Source::Release => "Initial state",
         Source::OneMode => "One mode",
+        Source::PitchCommand => "Pitch command",
+        Source::SpeedCommand => "Speed command",
+        Source::HeightCommand => "Height command",
+        Source::BankCommand => "Bank command",
+        Source::YawRateCommand => "Yaw-rate command",
+        Source::HeadingCommand => "Heading command",
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::findings::equations::CHANGE;
 use crate::flight::aircraft::plane::Plane;
 use crate::number::significant;
+use crate::scenario::Notation;
 use crate::words::sensitivity::NOTHING;
 
 /// The heading of the equations.
@@ -44,25 +45,25 @@ pub const fn row(plane: Plane, row: usize) -> &'static str {
 }
 
 /// Symbols of the states and the inputs, in the order of the columns.
-pub const fn columns(plane: Plane) -> [&'static str; 6] {
-    match plane {
-        Plane::Longitudinal => ["u", "w", "q", "θ", "δ_e", "δ_t"],
-        Plane::Lateral => ["v", "p", "r", "φ", "δ_a", "δ_r"],
+pub const fn columns(plane: Plane, notation: Notation) -> [&'static str; 6] {
+    match (plane, notation) {
+        (Plane::Longitudinal, Notation::Velocities) => ["u", "w", "q", "θ", "δ_e", "δ_t"],
+        (Plane::Longitudinal, Notation::Angles) => ["u", "α", "q", "θ", "δ_e", "δ_t"],
+        (Plane::Lateral, Notation::Velocities) => ["v", "p", "r", "φ", "δ_a", "δ_r"],
+        (Plane::Lateral, Notation::Angles) => ["β", "p", "r", "φ", "δ_a", "δ_r"],
     }
 }
 
 /// Symbols of the rates, in the order of the rows.
-pub const fn rates(plane: Plane) -> [&'static str; 4] {
-    match plane {
-        Plane::Longitudinal => ["u\u{307}", "w\u{307}", "q\u{307}", "θ\u{307}"],
-        Plane::Lateral => ["v\u{307}", "p\u{307}", "r\u{307}", "φ\u{307}"],
-    }
+pub fn rates(plane: Plane, notation: Notation) -> [String; 4] {
+    let [first, second, third, fourth, ..] = columns(plane, notation);
+    [first, second, third, fourth].map(|state| format!("{state}\u{307}"))
 }
 
 /// The place of an entry, for who can't see it: "A, row q dot, column w".
-pub fn place(plane: Plane, row: usize, column: usize) -> String {
+pub fn place(plane: Plane, notation: Notation, (row, column): (usize, usize)) -> String {
     let matrix = if column < 4 { "A" } else { "B" };
-    let [of_row, of_column] = [row, column].map(|index| columns(plane)[index].replace('_', ""));
+    let [of_row, of_column] = [row, column].map(|index| columns(plane, notation)[index].replace('_', ""));
     format!("{matrix}, row {of_row} dot, column {of_column}")
 }
 

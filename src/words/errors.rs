@@ -1,10 +1,12 @@
-//! Why something can't be had, in a sentence.
+//! Why something can't be had, in a sentence: its speeds and heights in the unit of length that is shown, or in SI.
 
 use std::fmt::{Display, Formatter, Result};
 
 use super::mode;
+use crate::content::LengthUnit;
+use crate::findings::Problem;
 use crate::flight::aircraft::aircraft_model::ModelError;
-use crate::flight::aircraft::atmosphere::AtmosphereError;
+use crate::flight::aircraft::atmosphere::{AtmosphereError, CEILING};
 use crate::flight::aircraft::coefficients::AirframeError;
 use crate::flight::aircraft::condition::ConditionError;
 use crate::flight::aircraft::knobs::{Knob, KnobError};
@@ -16,45 +18,84 @@ use crate::flight::motion::flight_path::{Reason, Stop};
 use crate::flight::motion::modal_decomposition::SplitError;
 use crate::flight::motion::six_dof::SixDofError;
 use crate::number::{fixed, significant, trimmed};
+use crate::scenario::Dimension;
 
-impl Display for AtmosphereError {
+/// An error whose sentence has its numbers in a unit of length. The sentence of the error alone has SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Told<'a, E>(pub &'a E, pub LengthUnit);
+
+/// The sentence of the error alone.
+macro_rules! told_in_si {
+    ($($error:ty),*) => {$(
+        impl Display for $error {
+            fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+                Told(self, LengthUnit::Metre).fmt(f)
+            }
+        }
+    )*};
+}
+
+told_in_si!(AtmosphereError, ConditionError, ModelError, AnalysisError, SixDofError, Stop);
+
+/// A speed \[m/s\] with its unit.
+fn speed_of(speed: f64, length: LengthUnit, digits: impl Fn(f64) -> String) -> String {
+    with_unit(Dimension::AirSpeed, speed, length, digits)
+}
+
+fn with_unit(dimension: Dimension, value: f64, length: LengthUnit, digits: impl Fn(f64) -> String) -> String {
+    format!("{} {}", digits(value / dimension.in_si(length)), dimension.symbol(length))
+}
+
+impl Display for Told<'_, Problem> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let altitude = fixed(self.altitude, 0);
+        match self.0 {
+            Problem::Analysis(error) => Told(error, self.1).fmt(f),
+            Problem::NoData => self.0.fmt(f),
+        }
+    }
+}
+
+impl Display for Told<'_, AtmosphereError> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let altitude = with_unit(Dimension::Length, self.0.altitude, self.1, |x| fixed(x, 0));
+        let thousands = |x: f64| format!("{} {:03}", (x / 1000.0).trunc(), (x % 1000.0).trunc());
+        let top = with_unit(Dimension::Length, CEILING, self.1, thousands);
         write!(
             f,
-            "the altitude of {altitude} m is outside the standard atmosphere used here, sea level to 20 000 m"
+            "the altitude of {altitude} is outside the standard atmosphere used here, sea level to {top}"
         )
     }
 }
 
-impl Display for ConditionError {
+impl Display for Told<'_, ConditionError> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match *self {
-            Self::NoSpeed { speed } => {
-                let speed = trimmed(speed, 4);
-                write!(f, "the airspeed must be positive, not {speed} m/s: without air there is no lift")
+        let Self(error, length) = *self;
+        match *error {
+            ConditionError::NoSpeed { speed } => {
+                let speed = speed_of(speed, length, |x| trimmed(x, 4));
+                write!(f, "the airspeed must be positive, not {speed}: without air there is no lift")
             }
-            Self::TooSteep { gamma0_deg } => {
+            ConditionError::TooSteep { gamma0_deg } => {
                 let angle = fixed(gamma0_deg, 0);
                 write!(
                     f,
                     "the flight path of {angle}° is steeper than the 60° up to which this model is used"
                 )
             }
-            Self::Altitude(error) => error.fmt(f),
-            Self::Stall { needed, cl_max, speed } => write!(
+            ConditionError::Altitude(ref error) => Told(error, length).fmt(f),
+            ConditionError::Stall { needed, cl_max, speed } => write!(
                 f,
-                "the wing would need C_L {} at {} m/s; this aircraft is taken to stall at {}",
+                "the wing would need C_L {} at {}; this aircraft is taken to stall at {}",
                 fixed(needed, 2),
-                fixed(speed, 1),
+                speed_of(speed, length, |x| fixed(x, 1)),
                 fixed(cl_max, 2)
             ),
-            Self::Mach { mach, mach_min, mach_max } => write!(
+            ConditionError::Mach { mach, mach_min, mach_max } => write!(
                 f,
                 "Mach {} is outside {mach_min} to {mach_max}, where this aircraft’s coefficients hold",
                 fixed(mach, 3)
             ),
-            Self::NoLiftSlope { cl_alpha } => {
+            ConditionError::NoLiftSlope { cl_alpha } => {
                 let slope = fixed(cl_alpha, 3);
                 write!(
                     f,
@@ -113,25 +154,25 @@ impl Display for AirframeError {
     }
 }
 
-impl Display for ModelError {
+impl Display for Told<'_, ModelError> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match *self {
-            Self::Condition(error) => error.fmt(f),
-            Self::Knob(error) => error.fmt(f),
-            Self::Inertia { ratio } => write!(
+        match *self.0 {
+            ModelError::Condition(ref error) => Told(error, self.1).fmt(f),
+            ModelError::Knob(error) => error.fmt(f),
+            ModelError::Inertia { ratio } => write!(
                 f,
                 "Ixz² is {} times Ix Iz; no body has as much as 1: lower Ixz, or raise Ix or Iz",
                 fixed(ratio, 3)
             ),
-            Self::Heave { denominator } => write!(
+            ModelError::Heave { denominator } => write!(
                 f,
                 "1 − Zẇ is {}: the air carried along cancels the aircraft’s mass",
                 significant(denominator, 3)
             ),
-            Self::NotFinite { plane: Plane::Longitudinal } => f.write_str(
+            ModelError::NotFinite { plane: Plane::Longitudinal } => f.write_str(
                 "the longitudinal model has an entry that is not a finite number: a value is too large or too small",
             ),
-            Self::NotFinite { plane: Plane::Lateral } => f.write_str(
+            ModelError::NotFinite { plane: Plane::Lateral } => f.write_str(
                 "the lateral model has an entry that is not a finite number: a value is too large or too small",
             ),
         }
@@ -151,13 +192,14 @@ impl Display for EigenError {
     }
 }
 
-impl Display for AnalysisError {
+impl Display for Told<'_, AnalysisError> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match *self {
-            Self::AircraftModel(error) => error.fmt(f),
-            Self::Eigen(error) => error.fmt(f),
-            Self::TrimSpeed(speed) => {
-                write!(f, "the trim speed must be a positive number, not {} m/s", trimmed(speed, 4))
+        match *self.0 {
+            AnalysisError::AircraftModel(ref error) => Told(error, self.1).fmt(f),
+            AnalysisError::Eigen(error) => error.fmt(f),
+            AnalysisError::TrimSpeed(speed) => {
+                let speed = speed_of(speed, self.1, |x| trimmed(x, 4));
+                write!(f, "the trim speed must be a positive number, not {speed}")
             }
         }
     }
@@ -174,27 +216,27 @@ impl Display for InverseError {
     }
 }
 
-impl Display for SixDofError {
+impl Display for Told<'_, SixDofError> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match *self {
-            Self::AircraftModel(error) => error.fmt(f),
-            Self::Matrices => f.write_str(
+        match *self.0 {
+            SixDofError::AircraftModel(ref error) => Told(error, self.1).fmt(f),
+            SixDofError::Matrices => f.write_str(
                 "this aircraft is given by its matrices, which hold for small disturbances only: flight far from the trim \
                  needs coefficients or derivatives",
             ),
-            Self::NoLongitudinal => {
+            SixDofError::NoLongitudinal => {
                 f.write_str("without longitudinal data nothing is known of what holds the aircraft up")
             }
-            Self::NoInertia => f.write_str(
+            SixDofError::NoInertia => f.write_str(
                 "the product of inertia is known but not Ix, Iy and Iz, without which the gyroscopic moments are not",
             ),
-            Self::Trim { speed, theta_deg } => write!(
+            SixDofError::Trim { speed, theta_deg } => write!(
                 f,
-                "a trim at {} m/s and a pitch angle of {}° cannot be flown from",
-                trimmed(speed, 4),
+                "a trim at {} and a pitch angle of {}° cannot be flown from",
+                speed_of(speed, self.1, |x| trimmed(x, 4)),
                 fixed(theta_deg, 0)
             ),
-            Self::NoBalance { residual } => write!(
+            SixDofError::NoBalance { residual } => write!(
                 f,
                 "no trim was found: an acceleration of {} m/s² or rad/s² is left",
                 significant(residual, 2)
@@ -223,11 +265,12 @@ impl Display for SplitError {
 }
 
 /// Where and why a nonlinear flight stopped.
-impl Display for Stop {
+impl Display for Told<'_, Stop> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let time = fixed(self.time, 1);
+        let Self(stop, length) = *self;
+        let time = fixed(stop.time, 1);
         let degrees = |angle: f64| fixed(angle.to_degrees().abs(), 1);
-        match self.reason {
+        match stop.reason {
             Reason::AngleOfAttack(alpha) if alpha < 0.0 => write!(
                 f,
                 "at {time} s the angle of attack is {}° below the trim’s, and beyond that this aircraft’s data mean nothing",
@@ -255,9 +298,9 @@ impl Display for Stop {
             ),
             Reason::Airspeed(speed) => write!(
                 f,
-                "at {time} s the airspeed is {} m/s, half the trim speed away from it, and this aircraft’s derivatives hold \
+                "at {time} s the airspeed is {}, half the trim speed away from it, and this aircraft’s derivatives hold \
                  only near the trim",
-                fixed(speed, 1)
+                speed_of(speed, length, |x| fixed(x, 1))
             ),
             Reason::NoLateralData => write!(
                 f,

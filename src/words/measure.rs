@@ -2,13 +2,13 @@
 
 use crate::content::LengthUnit;
 use crate::findings::measures::{
-    Absence, AircraftQuantity, Measure, Metric, ModeQuantity, PlaneQuantity, Reading,
+    Absence, AircraftQuantity, LoopOf, LoopQuantity, Measure, Metric, ModeQuantity, PlaneQuantity, Reading,
 };
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::stability::Stability;
 use crate::number::significant;
-use crate::scenario::{Dimension, Quantity};
-use crate::words::{mode, verdict};
+use crate::scenario::{Convention, Dimension, Quantity, Written};
+use crate::words::{Told, mode, verdict};
 
 /// A measure as the head of a column or the subject of a sentence.
 pub fn name(measure: Measure) -> String {
@@ -17,11 +17,55 @@ pub fn name(measure: Measure) -> String {
             format!("{} of the {}", of_mode(quantity), mode::in_a_sentence(name))
         }
         Measure::OfPlane(plane, quantity) => format!("{} of {}", of_plane(quantity), motion(plane)),
+        Measure::OfLoop(of, quantity) => format!("{} of the {} loop", of_loop(quantity), control(of)),
         Measure::OfAircraft(quantity) => of_aircraft(quantity).to_owned(),
         Measure::OfOutput(output, metric) => {
             format!("{} of {}", of_output(metric), Quantity::of(output).name)
         }
         Measure::OfParameter(parameter) => parameter.name.to_owned(),
+    }
+}
+
+/// A measure's symbol as the book writes it.
+pub fn symbol(measure: Measure) -> &'static str {
+    match measure {
+        Measure::OfMode(_, quantity) => match quantity {
+            ModeQuantity::RealPart => "σ",
+            ModeQuantity::ImaginaryPart => "ω",
+            ModeQuantity::NaturalFrequency => "ω_n",
+            ModeQuantity::DampingRatio => "ζ",
+            ModeQuantity::Period => "T",
+            ModeQuantity::TimeToHalf => "t_½",
+            ModeQuantity::TimeToDouble => "t_2",
+            ModeQuantity::Cycles => "N",
+            ModeQuantity::TimeConstant => "τ",
+            ModeQuantity::Stability => "stability",
+            ModeQuantity::Level => "level",
+        },
+        Measure::OfPlane(_, quantity) => match quantity {
+            PlaneQuantity::Determinant => "det A",
+            PlaneQuantity::Oscillations => "n",
+            PlaneQuantity::Stability | PlaneQuantity::StaticStability => "stability",
+        },
+        Measure::OfLoop(_, quantity) => match quantity {
+            LoopQuantity::GainMargin | LoopQuantity::GainReduction => "k",
+            LoopQuantity::PhaseMargin => "φ_m",
+            LoopQuantity::Crossover => "ω_c",
+            LoopQuantity::SensitivityPeak => "M_s",
+        },
+        Measure::OfAircraft(quantity) => match quantity {
+            AircraftQuantity::StaticMargin => "H_n",
+            AircraftQuantity::ManoeuvreMargin => "H_m",
+            AircraftQuantity::GravityRatio => "g/g_0",
+            AircraftQuantity::Stability | AircraftQuantity::StaticStability => "stability",
+            AircraftQuantity::Level => "level",
+        },
+        Measure::OfOutput(output, metric) => match metric {
+            Metric::Peak | Metric::Steady => Quantity::of(output).symbol,
+            Metric::PeakTime | Metric::RiseTime | Metric::SettlingTime => "t",
+            Metric::Overshoot => "M_p",
+        },
+        Measure::OfParameter(parameter) => parameter.symbol,
     }
 }
 
@@ -47,6 +91,25 @@ const fn of_plane(quantity: PlaneQuantity) -> &'static str {
         PlaneQuantity::StaticStability => "static stability",
         PlaneQuantity::Determinant => "det A",
         PlaneQuantity::Oscillations => "number of oscillations",
+    }
+}
+
+const fn of_loop(quantity: LoopQuantity) -> &'static str {
+    match quantity {
+        LoopQuantity::GainMargin => "gain margin",
+        LoopQuantity::GainReduction => "gain reduction",
+        LoopQuantity::PhaseMargin => "phase margin",
+        LoopQuantity::Crossover => "crossover frequency",
+        LoopQuantity::SensitivityPeak => "peak of the sensitivity",
+    }
+}
+
+const fn control(of: LoopOf) -> &'static str {
+    match of {
+        LoopOf::Elevator => "elevator",
+        LoopOf::Throttle => "throttle",
+        LoopOf::Aileron => "aileron",
+        LoopOf::Rudder => "rudder",
     }
 }
 
@@ -79,10 +142,29 @@ const fn of_output(metric: Metric) -> &'static str {
     }
 }
 
-/// A reading with its unit, in the aircraft's unit of length.
-pub fn reading(measure: Measure, reading: Reading, length: LengthUnit) -> String {
+/// How a measure's number is written.
+pub fn written(measure: Measure, convention: Convention) -> Written {
+    match measure {
+        Measure::OfParameter(parameter) => parameter.written(convention),
+        _ => Written {
+            symbol: symbol(measure),
+            unit: measure.dimension().symbol(convention.length),
+            in_si: measure.dimension().in_si(convention.length),
+            factor: 1.0,
+        },
+    }
+}
+
+/// A measure's number \[SI\] as it is shown: three digits with their unit.
+pub fn value(measure: Measure, value: f64, convention: Convention) -> String {
+    let Written { unit, in_si, .. } = written(measure, convention);
+    with_unit(&significant(value / in_si, 3), unit)
+}
+
+/// A reading with its unit.
+pub fn reading(measure: Measure, reading: Reading, convention: Convention) -> String {
     match reading {
-        Reading::Number(value) => number(measure.dimension(), value, length),
+        Reading::Number(number) => value(measure, number, convention),
         Reading::Stability(stability) => word(stability).to_owned(),
         Reading::Level(level) => verdict::level(level).to_owned(),
     }
@@ -99,7 +181,10 @@ pub fn number(dimension: Dimension, value: f64, length: LengthUnit) -> String {
 pub fn with_unit(number: &str, unit: &str) -> String {
     match unit.chars().next() {
         None => number.to_owned(),
-        Some(first) if first.is_ascii_digit() => format!("{number}\u{a0}×\u{a0}{unit}"),
+        // One over something is no factor.
+        Some(first) if first.is_ascii_digit() && !unit.starts_with("1/") => {
+            format!("{number}\u{a0}×\u{a0}{unit}")
+        }
         Some(_) => format!("{number}\u{a0}{unit}"),
     }
 }
@@ -113,10 +198,10 @@ pub const fn word(stability: Stability) -> &'static str {
     }
 }
 
-/// Why there is nothing to read, as a sentence without its full stop.
-pub fn absence(absence: &Absence) -> String {
+/// Why there is nothing to read, as a sentence without its full stop, in a unit of length.
+pub fn absence(absence: &Absence, length: LengthUnit) -> String {
     match absence {
-        Absence::Problem(problem) => problem.to_string(),
+        Absence::Problem(problem) => Told(problem, length).to_string(),
         Absence::NoPlane(Plane::Longitudinal) => "the source has no data of longitudinal motion".to_owned(),
         Absence::NoPlane(Plane::Lateral) => "the source has no data of lateral–directional motion".to_owned(),
         Absence::NoMode(name) => format!("no mode is called {}", mode::in_a_sentence(*name)),
@@ -125,6 +210,14 @@ pub fn absence(absence: &Absence) -> String {
         Absence::DoesNotGrow(name) => format!("the {} doesn’t grow", mode::in_a_sentence(*name)),
         Absence::DoesNotDieAway(name) => format!("the {} doesn’t die away", mode::in_a_sentence(*name)),
         Absence::NotJudged => "nothing judges it".to_owned(),
+        Absence::NoLoop(of) => format!("the law doesn’t move the {}", control(*of)),
+        Absence::NoMargin(quantity) => match quantity {
+            LoopQuantity::GainMargin => "no higher gain makes the loop neutral",
+            LoopQuantity::GainReduction => "no lower gain makes the loop neutral",
+            LoopQuantity::PhaseMargin | LoopQuantity::Crossover => "the gain around the loop is 1 nowhere",
+            LoopQuantity::SensitivityPeak => "the sensitivity is above 1 nowhere",
+        }
+        .to_owned(),
         Absence::NoCoefficients => "the source has no coefficients".to_owned(),
         Absence::NoParameter(parameter) => format!("the source has no {}", parameter.name),
         Absence::OtherPlane(output) => {

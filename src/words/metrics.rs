@@ -1,7 +1,9 @@
 //! Metrics of a motion as a whole, each in a sentence, with as many digits as wanted.
 
+use crate::content::LengthUnit;
 use crate::flight::aircraft::plane::Plane;
 use crate::number::significant;
+use crate::scenario::Dimension;
 
 /// The largest change of the load factor \[g\], and when \[s\].
 pub fn largest_load_factor(plane: Plane, value: f64, time: f64, digits: usize) -> String {
@@ -27,9 +29,11 @@ pub fn load_factor_beyond(plane: Plane, value: f64, digits: usize) -> String {
     }
 }
 
-/// Height between the first two turning points of the phugoid \[m\].
-pub fn phugoid_swing(height: f64, digits: usize) -> String {
-    format!("Height from the phugoid’s first turning point to its second: {} m", significant(height, digits))
+/// Height between the first two turning points of the phugoid \[m\], in a unit of length.
+pub fn phugoid_swing(height: f64, length: LengthUnit, digits: usize) -> String {
+    let height = significant(height / Dimension::Length.in_si(length), digits);
+    let unit = Dimension::Length.symbol(length);
+    format!("Height from the phugoid’s first turning point to its second: {height} {unit}")
 }
 
 /// Time to 30° of bank \[s\].

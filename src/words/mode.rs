@@ -31,6 +31,17 @@ pub const fn title(name: ModeName) -> &'static str {
         ModeName::CoupledRollSpiral => "Coupled roll–spiral",
         ModeName::RollSubsidence => "Roll subsidence",
         ModeName::Spiral => "Spiral",
+        ModeName::Height => "Height",
+        ModeName::Heading => "Heading",
+        ModeName::Position => "Position",
+        ModeName::Washout => "Washout",
+        ModeName::ElevatorActuator => "Elevator actuator",
+        ModeName::Engine => "Engine",
+        ModeName::AileronActuator => "Aileron actuator",
+        ModeName::RudderActuator => "Rudder actuator",
+        ModeName::FeedbackOscillation => "Feedback oscillation",
+        ModeName::FurtherState => "Further state",
+        ModeName::FurtherOscillation => "Further oscillation",
     }
 }
 
@@ -60,6 +71,17 @@ pub const fn in_a_sentence(name: ModeName) -> &'static str {
         ModeName::CoupledRollSpiral => "coupled roll–spiral oscillation",
         ModeName::RollSubsidence => "roll mode",
         ModeName::Spiral => "spiral",
+        ModeName::Height => "height mode",
+        ModeName::Heading => "heading mode",
+        ModeName::Position => "position mode",
+        ModeName::Washout => "washout mode",
+        ModeName::ElevatorActuator => "mode of the elevator’s actuator",
+        ModeName::Engine => "mode of the engine",
+        ModeName::AileronActuator => "mode of the aileron’s actuator",
+        ModeName::RudderActuator => "mode of the rudder’s actuator",
+        ModeName::FeedbackOscillation => "oscillation of the feedback",
+        ModeName::FurtherState => "mode of a further state",
+        ModeName::FurtherOscillation => "oscillation of further states",
     }
 }
 

@@ -1,6 +1,7 @@
 //! The reason for a mode's name.
 
 use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::reason::{Fact, StateSet};
 use crate::number::significant;
 
@@ -39,7 +40,26 @@ fn participation(mode: &Mode) -> String {
             share(StateSet::RollRate),
             share(StateSet::BankAngle)
         ),
+        StateSet::Appended => appended(mode.naming.name, mode.naming.confidence),
     }
+}
+
+/// The share of the states beside the four that gave a mode its name.
+fn appended(name: ModeName, share: f64) -> String {
+    let subject = match name {
+        ModeName::Height => "Height has",
+        ModeName::Heading => "Heading has",
+        ModeName::Position => "Position has",
+        ModeName::Washout => "The washout has",
+        ModeName::ElevatorActuator => "The elevator’s actuator has",
+        ModeName::Engine => "The engine has",
+        ModeName::AileronActuator => "The aileron’s actuator has",
+        ModeName::RudderActuator => "The rudder’s actuator has",
+        ModeName::FurtherState => "A further state has",
+        ModeName::FurtherOscillation => "Further states have",
+        _ => "States of the feedback have",
+    };
+    format!("{subject} {} of the participation.", percent(share))
 }
 
 /// A spiral that takes longer than this to double or halve is slow \[s\]: Level 1 in Category B, MIL-F-8785C §3.3.1.3.
@@ -118,6 +138,27 @@ fn told(fact: Fact, mode: &Mode) -> String {
         },
         Fact::LateralSubsides => "It dies away without oscillating.",
         Fact::LateralDiverges => "It grows without oscillating.",
+        Fact::FeedbackTakesPart(share) => {
+            return format!("States beside the four have {} of the whole.", percent(share));
+        }
+        Fact::MeetsFeedback => {
+            "A root of the aircraft and one of the feedback have met and oscillate together."
+        }
+        Fact::FeedbackOscillates => "Roots of the feedback have met and oscillate together.",
+        Fact::MeetsFurther => {
+            "A root of the four states and one of a further state have met and oscillate together."
+        }
+        Fact::FurtherOscillates => "Roots of further states have met and oscillate together.",
+        Fact::StaysWhereItIs => "Nothing brings it back: it stays where it is.",
+        Fact::IsBroughtBack => "The feedback brings it back.",
+        Fact::ComesBack => "It comes back by itself.",
+        Fact::Departs => "It grows.",
+        Fact::Followed => {
+            "The shape is mixed: the name is that of the root it comes from as the gains rise from zero."
+        }
+        Fact::FollowedFromApart => {
+            "The shape is mixed: the name is that of the root it comes from as the further states are coupled in."
+        }
         Fact::MixedShape => "The shape is mixed, so the name is a matter of degree.",
     };
     sentence.to_owned()

@@ -45,6 +45,10 @@ impl Display for Notice {
                 f,
                 "There is no aircraft “{key}” here: this is {instead} instead, without the changes made to it."
             ),
+            Self::Own { problem, instead } => write!(
+                f,
+                "The aircraft in the link can't be read, {problem}: this is {instead} instead, without the changes made to it."
+            ),
             Self::Pinned { key } => {
                 write!(f, "The pinned state was left out: there is no aircraft “{key}” here.")
             }

@@ -26,11 +26,11 @@ impl Display for Obstacle {
             Self::Meeting => {
                 f.write_str("here it meets another real root; beyond, the two are an oscillation")
             }
-            Self::OnePath(parameter) => write!(
-                f,
-                "{} alone moves this pole along one path: choose another derivative with it",
-                plain(parameter)
-            ),
+            Self::OnePath(parameter) => {
+                let other = if parameter.is_gain() { "gain" } else { "derivative" };
+                let only = plain(parameter);
+                write!(f, "{only} alone moves this pole along one path: choose another {other} with it")
+            }
             Self::Nearest(parameters) => write!(f, "no mix of {} brings this pole nearer", list(parameters)),
         }
     }
@@ -40,6 +40,10 @@ impl Display for PlacementError {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Self::NothingChosen => f.write_str("no derivative is chosen for it to move"),
+            Self::NoGainChosen => f.write_str("no gain is chosen for it to move"),
+            Self::ShownOpen => {
+                f.write_str("the loop is shown open, where no gain moves a pole; show it closed first")
+            }
             Self::NothingMoves(parameters) if parameters.len() == 1 => {
                 write!(f, "{} has no part in this mode: choose another", list(parameters))
             }

@@ -9,6 +9,7 @@ pub const fn page(page: Page) -> &'static str {
         Page::Coefficients => "Coefficients",
         Page::Dimensional => "Dimensional",
         Page::Matrix => "Matrix",
+        Page::Feedback => "Feedback",
     }
 }
 
@@ -29,7 +30,16 @@ pub const fn group(group: Group) -> &'static str {
         Group::Rudder => "Rudder",
         Group::Aircraft => "Aircraft and flight condition",
         Group::Mach => "Mach number",
+        Group::Filters => "Washout and lags",
         Group::Disturbance => "Disturbance",
+    }
+}
+
+/// Above the list of what moves the modes most.
+pub const fn strongest(page: Page) -> &'static str {
+    match page {
+        Page::Coefficients | Page::Dimensional | Page::Matrix => "Which derivative moves which mode",
+        Page::Feedback => "Which gain moves which mode",
     }
 }
 

@@ -1,12 +1,14 @@
 //! The verdicts on a plane as a whole, and the warning of mixed units.
 
-use crate::content::LengthUnit;
+use std::borrow::Cow;
+
+use crate::flight::aircraft::plane::Plane;
 use crate::flight::analysis::{GravityCheck, Margins, PlaneAnalysis};
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::static_stability::{PlaneStaticStability, PlaneStiffness, Stiffness};
 use crate::number::significant;
-use crate::scenario::Dimension;
-use crate::words::mode;
+use crate::scenario::{Convention, Dimension, Notation};
+use crate::words::{mode, notation};
 
 /// Dynamic stability, with what grows.
 pub fn dynamic_sentence(plane: &PlaneAnalysis) -> String {
@@ -37,21 +39,22 @@ pub const DYNAMIC_MEANING: &str = "What happens in the end: whether every distur
     imaginary axis.";
 
 /// Static stability, with its numbers in the unit of length of the source, and what grows all the same.
-pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: LengthUnit) -> String {
+pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, convention: Convention) -> String {
     let PlaneStaticStability { determinant, of_determinant, stiffness, is_plain, .. } =
         plane.static_stability;
     let stiffness_of = |stiffness: Stiffness| {
-        let value = stiffness.value / Dimension::PerLengthSecond.in_si(length);
-        format!("{}\u{a0}{}", significant(value, 3), Dimension::PerLengthSecond.symbol(length))
+        let (unit, in_si) = unit_of_stiffness(plane.model.plane, convention);
+        format!("{}\u{a0}{unit}", significant(stiffness.value / in_si, 3))
     };
     let mut readings = Vec::new();
     match stiffness {
         PlaneStiffness::Longitudinal { m_w, .. } => {
+            let symbol = notation::prose("M_w", convention.notation);
             let m_w = stiffness_of(m_w);
             readings.push(if is_plain {
-                format!("pitch stiffness M_w {m_w}")
+                format!("pitch stiffness {symbol} {m_w}")
             } else {
-                format!("pitch stiffness M_w {m_w}, if M_u is zero")
+                format!("pitch stiffness {symbol} {m_w}, if M_u is zero")
             });
             if let Some(Margins { static_margin, manoeuvre_margin }) = margins {
                 readings.push(format!("static margin {}", percent(static_margin)));
@@ -78,6 +81,17 @@ pub fn static_sentence(plane: &PlaneAnalysis, margins: Option<Margins>, length: 
     match grows_all_the_same(plane) {
         Some(remark) => format!("{sentence}. {remark}"),
         None => sentence,
+    }
+}
+
+/// How a stiffness \[1/(m s)\] of a plane is written, by w or v or by α or β: its unit, and what one of that is.
+pub fn unit_of_stiffness(plane: Plane, convention: Convention) -> (&'static str, f64) {
+    let Convention { length, notation, speed } = convention;
+    match notation {
+        Notation::Velocities => {
+            (Dimension::PerLengthSecond.symbol(length), Dimension::PerLengthSecond.in_si(length))
+        }
+        Notation::Angles => (Dimension::PerSecondSquared.symbol(length), 1.0 / speed[plane]),
     }
 }
 
@@ -137,8 +151,8 @@ fn percent(share: f64) -> String {
 }
 
 /// What static stability means in a plane.
-pub const fn static_meaning(stability: &PlaneStaticStability) -> &'static str {
-    match stability.stiffness {
+pub fn static_meaning(stability: &PlaneStaticStability, notation: Notation) -> Cow<'static, str> {
+    let meaning = match stability.stiffness {
         PlaneStiffness::Longitudinal { .. } => {
             "Which way the first pitching moment points: a nose that is lifted must come down again, M_w < 0. It turns with the \
              centre of gravity at the neutral point, where the static margin is zero. det A is the product of the four \
@@ -150,7 +164,8 @@ pub const fn static_meaning(stability: &PlaneStaticStability) -> &'static str {
              positive. In roll the wings must roll away from it: dihedral effect is negative. Whether a bank dies away is another \
              question, which the card of the spiral answers."
         }
-    }
+    };
+    notation::prose(meaning, notation)
 }
 
 /// The warning that gravity and speed don't belong to one system of units.

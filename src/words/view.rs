@@ -2,6 +2,7 @@
 
 use crate::flight::aircraft::plane::Plane;
 use crate::scenario::view::{Entries, Pane, StandardView, Tab};
+use crate::scenario::{Notation, Units};
 
 /// A tab of the responses.
 pub const fn tab(tab: Tab) -> &'static str {
@@ -9,7 +10,11 @@ pub const fn tab(tab: Tab) -> &'static str {
         Tab::Time => "Time",
         Tab::Phase => "Phase",
         Tab::Frequency => "Frequency",
+        Tab::Loop => "Loop",
+        Tab::Nyquist => "Nyquist",
+        Tab::Map => "Gain map",
         Tab::Metrics => "Numbers",
+        Tab::Chart => "Chart",
     }
 }
 
@@ -41,6 +46,16 @@ pub const fn maximise(pane: Pane) -> &'static str {
     }
 }
 
+/// The part of the page that a pane is, for a screen reader that goes through them.
+pub const fn landmark(pane: Pane) -> &'static str {
+    match pane {
+        Pane::Poles => "Map",
+        Pane::Aircraft => "Flight",
+        Pane::Response => "Motion",
+        Pane::Equations => "Matrices",
+    }
+}
+
 /// A standard view as its button has it.
 pub const fn standard_view(view: StandardView) -> &'static str {
     match view {
@@ -69,6 +84,26 @@ pub const fn plane(plane: Plane) -> &'static str {
     }
 }
 
+/// The units that numbers are shown in, as their switch has them.
+pub const fn units(units: Units) -> &'static str {
+    match units {
+        Units::Source => "as in the source",
+        Units::Si => "metres",
+        Units::Feet => "feet",
+    }
+}
+
+/// The notation of the equations, as its switch has it.
+pub const fn notation(notation: Notation) -> &'static str {
+    match notation {
+        Notation::Velocities => "w and v",
+        Notation::Angles => "α and β",
+    }
+}
+
+/// What a notation is.
+pub const NOTATION_MEANING: &str = "How equations and derivatives are written: with the velocities w and v, or with the angles α = w/V and β = v/V, so that     M_α = V M_w. The motion is the same.";
+
 /// An aircraft whose name is hidden.
 pub const AN_AIRCRAFT: &str = "The aircraft";
 
@@ -80,3 +115,10 @@ pub const NUMBERS_HIDDEN: &str = "The numbers are hidden in this scene";
 
 /// Something that can't be changed.
 pub const LOCKED: &str = "Locked in this scene";
+
+/// A file that was dropped on a page in a frame that stays with what was opened on it.
+pub const KEPT: &str = "In this frame no other lesson can be opened";
+
+/// A link was copied that has no room for the aircraft.
+pub const TOO_LONG_FOR_A_LINK: &str = "Link copied, without your aircraft: it is too long for a link. Elsewhere it opens after its \
+    file, which Take along (X) saves";

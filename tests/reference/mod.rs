@@ -48,6 +48,7 @@ impl Reference {
             a: Matrix4::from_fn(|i, j| matrices.a[i][j]),
             b: Matrix4x2::from_fn(|i, j| matrices.b[i][j]),
             trim: Trim { speed, alpha0, gamma0, gravity },
+            further: None,
         }
     }
 }

@@ -231,6 +231,7 @@ proptest! {
             lateral: Vector4::new(v, p, r, phi),
             heading: 0.0,
             position: [0.0; 3],
+        servos: None,
         };
         let path = flight.fly(&excitation, TimeGrid { duration: 10.0, steps: 50 });
         prop_assert!(is_finite(&path), "{:?}", path.stop);

@@ -57,6 +57,7 @@ fn from_rest<'a>() -> Excitation<'a> {
         lateral: Vector4::zeros(),
         heading: 0.0,
         position: [0.0; 3],
+        servos: None,
     }
 }
 

@@ -220,7 +220,9 @@ test("every aircraft of the list can be opened, in both planes where it has both
   const [keys, lateral] = [new Set(), new Set()];
   await page.getByRole("combobox", { name: "Aircraft", exact: true }).dispatchEvent("click");
   await page.getByRole("option").first().waitFor({ state: "attached" });
-  const names = await page.getByRole("option").allInnerTexts();
+  const listed = await page.getByRole("option").allInnerTexts();
+  // The last leads to a file of one's own.
+  const names = listed.filter((name) => !name.startsWith("Your own aircraft"));
   await page.getByRole("option").first().dispatchEvent("click");
   for (const name of names) {
     await choose(page, "Aircraft", name);

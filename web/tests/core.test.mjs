@@ -123,8 +123,15 @@ test("numbers in the browser are those of the command line, to 1e-12 or what bec
   assertEqual(await inBrowser(page, "parameters", { aircraft: "x15" }), await native("parameters", "x15"));
   assertEqual(await inBrowser(page, "list"), await native("list"));
 
+  const link = "https://example.org/#v=1&ac=navion&plane=lateral&lat.source=side-gust&cg=16&oops=1";
+  assertEqual(await inBrowser(page, "analyse", { link }), await native("analyse", link));
+  assertSameMotion(await inBrowser(page, "respond", { link, steps: 60 }), await native("respond", link, "--steps=60"));
+  assertEqual(await inBrowser(page, "link", { link, set: { speed: 60 } }), await native("link", link, "--set=speed=60"));
+
   const matrices = { matrices: readFileSync(ROOT + MATLAB, "utf8"), format: "m", file: MATLAB };
-  assertEqual(await inBrowser(page, "analyse", matrices), await native("analyse", `--matrix=${MATLAB}`));
+  // The command line tells of the file in the words of its review; the numbers are the same.
+  const planes = ({ longitudinal, lateral }) => ({ longitudinal, lateral });
+  assertEqual(planes(await inBrowser(page, "analyse", matrices)), planes(await native("analyse", `--matrix=${MATLAB}`)));
 });
 
 test("what can't be answered is an Error with the sentence of the command line", async (t) => {
@@ -155,10 +162,13 @@ test("the TypeScript types are those of the answers, no field more and none less
     ["Motion", "respond", { aircraft: "lesson", nonlinear: true, split: true, set: { a_wu: 0, a_qu: 0 }, steps: 2 }],
     ["FrequencyResponse", "frequency", { aircraft: "navion", disturbance: "aileron", output: "phi", points: 2 }],
     ["Sweep", "sweep", sweep],
+    ["Analysis", "analyse", { link: "#v=1&ac=x15&oops=1" }],
+    ["TakenAlong", "takeAlong", { link: "#v=1&ac=navion", target: "poles-figure" }],
+    ["Link", "link", { aircraft: "navion", disturbance: "rudder", shape: "doublet" }],
   ];
   const lines = [
-    'import init, { analyse, frequency, list, parameters, respond, sweep } from "./eigenwing-core.js";',
-    'import type { Aircraft, Analysis, FrequencyResponse, Motion, Parameter, Sweep } from "./eigenwing-core.js";',
+    'import init, { analyse, frequency, link, list, parameters, respond, sweep, takeAlong } from "./eigenwing-core.js";',
+    'import type { Aircraft, Analysis, FrequencyResponse, Link, Motion, Parameter, Sweep, TakenAlong } from "./eigenwing-core.js";',
     "await init();",
     "// @ts-expect-error: no aircraft has such a name",
     "analyse({ aircraft: 7 });",

@@ -26,7 +26,7 @@ test("the address follows an edit, and opened elsewhere it has the same poles to
   await first.slider("airspeed V").fill("61");
   await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61&elevator=-1&follows=100");
   await first.page.getByRole("button", { name: "Lateral–directional" }).dispatchEvent("click");
-  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61&plane=lat&elevator=-1");
+  await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&speed=61&plane=lateral&elevator=-1");
 
   const second = await open(t, { fragment: fragment(first.page) });
   await second.ready();
@@ -58,7 +58,7 @@ test("a reload keeps the scene, and so does a visit without a link", async (t) =
   await ready();
   await slider("weathercock stability C_nβ").fill("0.2");
   await until(state, (now) => now.parameters.cn_beta === 0.2, "set");
-  await addressBecomes(page, "#v=1&ac=b747-approach&cn_beta=0.2&plane=lat");
+  await addressBecomes(page, "#v=1&ac=b747-approach&cn_beta=0.2&plane=lateral");
   const before = await state();
   const same = (now) => JSON.stringify([now.parameters, poles(now)]) === JSON.stringify([before.parameters, poles(before)]);
   await page.reload();
@@ -66,7 +66,7 @@ test("a reload keeps the scene, and so does a visit without a link", async (t) =
   await page.goto("about:blank");
   await page.goto(url.split("#")[0]);
   await until(state, same, "the last scene without a link");
-  await addressBecomes(page, "#v=1&ac=b747-approach&cn_beta=0.2&plane=lat");
+  await addressBecomes(page, "#v=1&ac=b747-approach&cn_beta=0.2&plane=lateral");
   assert.deepEqual([...seen.errors, ...seen.console], []);
 });
 

@@ -1,9 +1,10 @@
 // From the address to the first frame, and everything that can go wrong on the way.
 
 import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { open } from "./page.mjs";
+import { open, until } from "./page.mjs";
 
 test("the page becomes ready, without a complaint and without asking any other host", async (t) => {
   const { page, ready, state, seen, foreignRequests } = await open(t);
@@ -50,16 +51,17 @@ test("a program that is not found is reported", async (t) => {
   assert.equal(await page.getByRole("progressbar").isVisible(), false);
 });
 
+test("a browser that can’t read the program is told which one can", async (t) => {
+  const program = readdirSync(new URL("../../dist/", import.meta.url)).find((name) => name.endsWith(".wasm"));
+  const ofAnotherVersion = Buffer.from([0, 0x61, 0x73, 0x6d, 2, 0, 0, 0]);
+  const { page } = await open(t, { server: { files: { [program]: ofAnotherVersion } } });
+  await page.getByRole("heading", { name: "Eigenwing could not start" }).waitFor();
+  assert.match(await page.getByRole("alert").innerText(), /a browser of 2023 or later/);
+});
+
 test("a script that is not found is reported", async (t) => {
   const { page } = await open(t, { server: { missing: /^eigenwing-.*\.js$/ } });
   await page.getByRole("heading", { name: "Eigenwing could not be loaded" }).waitFor();
-});
-
-test("missing WebGL is explained", async (t) => {
-  const { page, screenshot } = await open(t, { flags: ["--disable-3d-apis"], colorScheme: "dark" });
-  await page.getByRole("heading", { name: "This browser cannot show the graphics" }).waitFor();
-  assert.match(await page.getByRole("alert").innerText(), /WebGL/);
-  await screenshot("no-webgl");
 });
 
 test("a program that stops says so, and Reload starts it again", async (t) => {
@@ -74,14 +76,46 @@ test("a program that stops says so, and Reload starts it again", async (t) => {
   await page.locator("#welcome").waitFor({ state: "hidden" });
 });
 
-test("lost graphics are reported", async (t) => {
-  const { page, ready } = await open(t);
+test("a program that stops keeps the scene, and offers a report in which nobody is named", async (t) => {
+  const scene = "#v=1&ac=navion&cm_alpha=-0.5&own=c2VjcmV0&pin.own=c2VjcmV0";
+  const { page, ready, url } = await open(t, { fragment: scene });
   await ready();
-  await page.evaluate(() => {
-    const canvas = document.getElementById("eigenwing");
-    (canvas.getContext("webgl2") ?? canvas.getContext("webgl")).getExtension("WEBGL_lose_context").loseContext();
-  });
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.evaluate(() => dispatchEvent(new CustomEvent("eigenwing-failed", { detail: "index out of bounds" })));
+  await page.getByText("A report for who mends it").click();
+  const report = await page.getByRole("textbox", { name: "Report" }).inputValue();
+  assert.match(report, /^Eigenwing \d+\.\d+\.\d+-[0-9a-f]{16}\nindex out of bounds\nscene: #v=1&ac=navion&cm_alpha=-0\.5&own=…&pin\.own=…\nbrowser: /);
+  assert.ok(!report.includes(new URL(url).host), "where the page is");
+  await page.getByRole("button", { name: "Copy the report" }).click();
+  await until(() => page.evaluate(() => navigator.clipboard.readText()), (text) => text === report, "the report on the clipboard");
+  await page.getByRole("button", { name: "Start without this scene" }).click();
+  await page.locator("#welcome").waitFor({ state: "hidden" });
+  await until(async () => new URL(page.url()).hash, (hash) => !hash.includes("cm_alpha"), "another scene");
+});
+
+test("graphics that are lost and given back bring the scene back", async (t) => {
+  const { page, ready, state } = await open(t);
+  await ready();
+  await page.getByRole("slider", { name: "pitch stiffness C_mα" }).fill("-0.5");
+  await until(async () => page.url(), (url) => url.includes("cm_alpha=-0.5"), "the scene in the address");
+  const graphics = (what) =>
+    page.evaluate((what) => {
+      const canvas = document.getElementById("eigenwing");
+      window.lost ??= (canvas.getContext("webgl2") ?? canvas.getContext("webgl")).getExtension("WEBGL_lose_context");
+      window.lost[what]();
+    }, what);
+  await graphics("loseContext");
   await page.getByRole("heading", { name: "The graphics were interrupted" }).waitFor();
+  await graphics("restoreContext");
+  await page.locator("#welcome").waitFor({ state: "hidden" });
+  assert.match(JSON.stringify(await until(state, Boolean, "the program")), /-0\.5/);
+  // Where they don't last the page doesn't begin again and again.
+  await page.evaluate(() => (window.lost = undefined));
+  await graphics("loseContext");
+  await page.getByRole("heading", { name: "The graphics were interrupted" }).waitFor();
+  await graphics("restoreContext");
+  await sleep(1500);
+  assert.ok(await page.getByRole("heading", { name: "The graphics were interrupted" }).isVisible());
 });
 
 test("without JavaScript the page says what it needs", async (t) => {

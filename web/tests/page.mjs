@@ -13,25 +13,16 @@ import { after } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { FLAGS } from "./flags.mjs";
 import { serve } from "./server.mjs";
 
-const FLAGS = [
-  "--headless=new",
-  "--no-sandbox",
-  "--use-gl=angle",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
 const HARMLESS = [
   // Reading a software-drawn canvas for a screenshot.
   "GL Driver Message",
 ];
 const PATIENCE = 30_000;
+// No test takes as long. A page that never answers would otherwise stop all tests without a word.
+const LONGEST = 300_000;
 const SCREENSHOTS = fileURLToPath(new URL("../screenshots/", import.meta.url));
 
 // One browser for each set of extra flags, kept until the test file ends.
@@ -55,6 +46,12 @@ after(async () => {
   for (const browser of browsers.values()) await (await browser).close();
 });
 
+// A browser that doesn't answer can't be closed either; it ends with the tests of this file.
+function giveUp(what) {
+  console.error(what);
+  process.exit(1);
+}
+
 // A page that has greeted the person before. In a frame without an origin there is no storage.
 function greeted() {
   try {
@@ -62,7 +59,7 @@ function greeted() {
   } catch {}
 }
 
-// Options: `viewport`, `colorScheme`, `touch`; `scale`, pixels a point of a real screen, for a play-acted one tells the
+// Options: `viewport`, `colorScheme`, `touch`; `media`, more of what a system asks for, as in Playwright's `newContext`; `scale`, pixels a point of a real screen, for a play-acted one tells the
 // canvas other sizes than a real one; `flags` for the browser; `path` of another page ("example/") and `fragment` of the
 // address ("#v=1&ac=navion"); `before`, a function run in the page before its scripts; `server`, as in server.mjs;
 // `waitUntil`, as in Playwright's `goto`; `firstVisit`, for the line that greets who hasn't been here.
@@ -73,9 +70,13 @@ export async function open(t, options = {}) {
   const browser = await browserWith([...screen, ...(options.flags ?? [])]);
   const server = await serve(options.server);
   const acted = scale ? { viewport: null } : { viewport, hasTouch: touch, isMobile: touch };
-  const context = await browser.newContext({ colorScheme, ...acted });
+  const context = await browser.newContext({ colorScheme, ...acted, ...options.media });
+  const late = setTimeout(() => giveUp(`a page was still open after ${LONGEST / 1000} s: ${t.name}`), LONGEST);
   t.after(async () => {
+    const stuck = setTimeout(() => giveUp(`a page could not be closed: ${t.name}`), PATIENCE);
     await context.close();
+    clearTimeout(late);
+    clearTimeout(stuck);
     server.close();
   });
 
@@ -128,6 +129,7 @@ export async function open(t, options = {}) {
     page,
     url,
     seen,
+    server,
     // Waits for the first frame; milliseconds since the page was asked for.
     ready: async () => {
       const late = sleep(PATIENCE, undefined, { ref: false }).then(() => {
@@ -173,14 +175,16 @@ export async function open(t, options = {}) {
 
 // Waits until what is found satisfies a condition, and gives it; the page draws when it has time. What can't be read yet,
 // such as a page that is being loaded again, is tried again.
-export async function until(found, condition, what) {
+export async function until(found, condition, what, patience = PATIENCE) {
+  const end = performance.now() + patience;
   let last;
-  for (let i = 0; i < 600; i += 1) {
-    last = await found().catch(() => undefined);
+  while (performance.now() < end) {
+    // A question to a page that is being loaded again is sometimes never answered.
+    last = await Promise.race([found(), sleep(5000, undefined, { ref: false })]).catch(() => undefined);
     if (last != null && condition(last)) return last;
     await sleep(50);
   }
-  return assert.fail(`not within 30 s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
+  return assert.fail(`not within ${patience / 1000} s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
 }
 
 // The middle of an element, and its width.

@@ -1,36 +1,77 @@
-//! The tests in web/tests: the built page in a real browser.
+//! The tests in web/tests: the built page in real browsers, Chromium, Firefox and WebKitGTK.
 
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 
 use crate::chromium;
+use crate::firefox;
+use crate::package;
+use crate::package_lesson;
 use crate::packages;
 use crate::process;
 use crate::project::Project;
+use crate::webkit;
 
 const OLDEST_NODE: u32 = 20;
+
+/// A lesson for the tests of the single-file edition and of the package.
+const SINGLE: &str = "single.md";
 
 pub fn run(project: &Project) -> Result<()> {
     check_node()?;
     let chromium = chromium::find_or_install()?;
+    let firefox = firefox::find_or_install()?;
+    let webkit = webkit::find_or_install()?;
     let web = project.root.join("web");
 
     packages::install(project)?;
+    let package = package_lesson::build(project, &web.join("tests").join(SINGLE))?;
+    let core = package::build_core(project)?;
+    let single = project.target().join("single").join(SINGLE).with_extension("html");
 
-    // Named one by one: what `node --test` makes of a folder differs between its versions.
-    let mut tests = std::fs::read_dir(web.join("tests"))
-        .context("cannot read web/tests")?
-        .map(|entry| Ok(entry?.path()))
-        .collect::<Result<Vec<_>>>()?;
-    tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
-    tests.sort();
-    ensure!(!tests.is_empty(), "web/tests holds no test");
+    let mut tests = tests_in(&web.join("tests"))?;
+    tests.extend(tests_in(&web.join("tests/firefox"))?);
+    if webkit.is_some() {
+        tests.extend(tests_in(&web.join("tests/webkit"))?);
+    }
     process::run(
         Command::new("node")
             .current_dir(&web)
             .args(["--test", "--test-concurrency=1", "--test-reporter=spec"])
             .args(tests)
+            .env("CHROMIUM", chromium)
+            .env("FIREFOX", firefox)
+            .env("MINIBROWSER", webkit.unwrap_or_default())
+            .env("CORE_PACKAGE", core)
+            .env("SINGLE", single)
+            .env("SCORM", package),
+    )
+}
+
+/// The files of tests in a folder, named one by one: what `node --test` makes of a folder differs between its versions.
+fn tests_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut tests = std::fs::read_dir(folder)
+        .with_context(|| format!("cannot read {}", folder.display()))?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<Result<Vec<_>>>()?;
+    tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
+    tests.sort();
+    ensure!(!tests.is_empty(), "{} holds no test", folder.display());
+    Ok(tests)
+}
+
+/// Random use of the built page for so many minutes.
+pub fn soak(project: &Project, minutes: u32, seed: u32) -> Result<()> {
+    check_node()?;
+    let chromium = chromium::find_or_install()?;
+    ensure!(project.dist().join("index.html").is_file(), "there is no page yet: `cargo xtask build` first");
+    packages::install(project)?;
+    process::run(
+        Command::new("node")
+            .current_dir(project.root.join("web"))
+            .args(["soak.mjs".to_owned(), minutes.to_string(), seed.to_string()])
             .env("CHROMIUM", chromium),
     )
 }

@@ -1,10 +1,10 @@
 //! The browser for the tests: $CHROMIUM, one on the PATH, or Debian's.
 
 use std::path::PathBuf;
-use std::process::Command;
 
 use anyhow::{Result, bail, ensure};
 
+use crate::debian;
 use crate::process;
 
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
@@ -18,15 +18,9 @@ pub fn find_or_install() -> Result<PathBuf> {
     if let Some(chromium) = process::find_on_path(&NAMES) {
         return Ok(chromium);
     }
-    if may_install() {
+    if debian::may_install() {
         println!("Installing Debian's chromium (once, about a minute)");
-        process::run(Command::new("apt-get").args(["update", "-qq"]))?;
-        process::run(
-            Command::new("apt-get")
-                .args(["install", "-qq", "--yes", "--no-install-recommends"])
-                .args(["chromium", "fonts-dejavu-core"])
-                .env("DEBIAN_FRONTEND", "noninteractive"),
-        )?;
+        debian::install(&["chromium", "fonts-dejavu-core"])?;
         if let Some(chromium) = process::find_on_path(&NAMES) {
             return Ok(chromium);
         }
@@ -34,10 +28,4 @@ pub fn find_or_install() -> Result<PathBuf> {
     bail!(
         "the browser tests need Chromium: `sudo apt install chromium`, or name one in the environment variable CHROMIUM"
     )
-}
-
-/// Root on a machine with apt.
-fn may_install() -> bool {
-    process::find_on_path(&["apt-get"]).is_some()
-        && process::output_of(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
 }

@@ -11,10 +11,18 @@ use crate::project::{Project, WASM_TARGET};
 /// The module's folder beside the page, and that of its example.
 pub const FOLDERS: [&str; 2] = ["core", "example"];
 
-const NAME: &str = "eigenwing-core";
+/// The module's own name.
+pub const NAME: &str = "eigenwing-core";
 
 /// Builds `core/` and `example/` in a folder with a built page, with the wasm-bindgen that Trunk found on the PATH.
 pub fn build(project: &Project, page: &Path) -> Result<()> {
+    let [core, example] = FOLDERS.map(|folder| page.join(folder));
+    build_module(project, &core, Path::new("wasm-bindgen"))?;
+    copy_folder(&project.root.join("web/example"), &example)
+}
+
+/// Builds the module's three files in a folder.
+pub fn build_module(project: &Project, folder: &Path, wasm_bindgen: &Path) -> Result<()> {
     process::run(
         process::cargo(project)
             .args(["build", "--quiet", "--locked", "--release", "--target", WASM_TARGET])
@@ -22,13 +30,11 @@ pub fn build(project: &Project, page: &Path) -> Result<()> {
             .arg(format!("--bin={NAME}")),
     )?;
     let program = project.target().join(WASM_TARGET).join("release").join(format!("{NAME}.wasm"));
-    let [core, example] = FOLDERS.map(|folder| page.join(folder));
     process::run(
-        Command::new("wasm-bindgen").args(["--target", "web", "--out-dir"]).arg(&core).arg(&program),
+        Command::new(wasm_bindgen).args(["--target", "web", "--out-dir"]).arg(folder).arg(&program),
     )?;
     // For those who link it with other WebAssembly, and none of its business.
-    remove(&core.join(format!("{NAME}_bg.wasm.d.ts")))?;
-    copy_folder(&project.root.join("web/example"), &example)
+    remove(&folder.join(format!("{NAME}_bg.wasm.d.ts")))
 }
 
 fn remove(file: &Path) -> Result<()> {

@@ -8,6 +8,9 @@
 //!
 //! The program of a release page is made smaller by wasm-opt: its name keeps the hash of Trunk's output.
 //!
+//! Its worker is the one that takes itself away: only `cargo xtask build` makes pages that browsers keep. What Trunk serves may change
+//! with the next edit.
+//!
 //! Beside a release page goes the core as a JavaScript module. Here, so that it is there however Trunk was
 //! called, and Trunk puts all of it in place at once.
 
@@ -19,6 +22,7 @@ use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest as _, Sha256};
 
 use crate::core_module;
+use crate::offline;
 use crate::packages;
 use crate::page::WASM_OPT;
 use crate::project::Project;
@@ -34,6 +38,8 @@ pub fn finish(project: &Project) -> Result<()> {
     let page = std::fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let page = with_hashes(&without_ignored_integrity(&page))?;
     std::fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))?;
+    let [worker, off] = [offline::WORKER, offline::WORKER_OFF].map(|name| staging.join(name));
+    std::fs::copy(&off, worker).with_context(|| format!("cannot copy {}", off.display()))?;
     if std::env::var_os("TRUNK_PROFILE").is_some_and(|profile| profile == "release") {
         core_module::build(project, staging)?;
         if let Some(wasm_opt) = std::env::var_os(WASM_OPT) {

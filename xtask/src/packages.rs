@@ -31,7 +31,7 @@ pub fn wasm_opt(project: &Project) -> Result<Option<PathBuf>> {
 
 /// Makes a program smaller, in place.
 pub fn optimise(wasm_opt: &Path, program: &Path) -> Result<()> {
-    // Rust's own choice of features, which every browser with WebGL 2 has.
+    // Rust's own choice of features, and that of `.cargo/config.toml`.
     let features = [
         "bulk-memory",
         "mutable-globals",
@@ -39,6 +39,7 @@ pub fn optimise(wasm_opt: &Path, program: &Path) -> Result<()> {
         "reference-types",
         "sign-ext",
         "multivalue",
+        "simd",
     ];
     process::run(
         Command::new("node")
@@ -47,6 +48,11 @@ pub fn optimise(wasm_opt: &Path, program: &Path) -> Result<()> {
             .args(features.map(|feature| format!("--enable-{feature}")))
             .args(["--output".as_ref(), program.as_os_str(), program.as_os_str()]),
     )
+}
+
+/// Packs a folder with a `package.json` for npm; the package lies beside the folder.
+pub fn pack(folder: &Path) -> Result<()> {
+    process::run(npm().current_dir(folder).args(["pack", "--silent", "--pack-destination", ".."]))
 }
 
 /// Whether every package is there in the version that `web/package.json` pins.

@@ -7,7 +7,9 @@ use std::time::Duration;
 
 use anyhow::{Context as _, Result, bail};
 
+use crate::compress;
 use crate::crate_sizes;
+use crate::offline;
 use crate::packages;
 use crate::process;
 use crate::project::Project;
@@ -16,7 +18,7 @@ use crate::tools::{self, Tool};
 /// Tells Trunk's hook with which wasm-opt to make the program smaller; without it the page is built a minute faster, to be looked at.
 pub const WASM_OPT: &str = "EIGENWING_WASM_OPT";
 
-/// Builds the release page into dist/.
+/// Builds the release page into dist/, as it goes to a host: kept by browsers for when there is no network, and compressed.
 pub fn build(project: &Project) -> Result<()> {
     println!("Building the page (a few minutes the first time)");
     let mut trunk = trunk(project)?;
@@ -24,7 +26,10 @@ pub fn build(project: &Project) -> Result<()> {
         trunk.env(WASM_OPT, wasm_opt);
     }
     process::run(trunk.args(["build", "--release", "--offline"]))?;
-    println!("The page is in {}", project.dist().display());
+    let dist = project.dist();
+    offline::write(project, &dist)?;
+    compress::write(&dist)?;
+    println!("The page is in {}", dist.display());
     crate_sizes::print(project)
 }
 

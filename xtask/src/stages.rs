@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result};
 
 use crate::process::{cargo, run};
 use crate::project::Project;
-use crate::{browser_tests, layers, page, page_size};
+use crate::{browser_tests, layers, page, page_size, scripts};
 
 struct Stage {
     name: &'static str,
@@ -14,10 +14,11 @@ struct Stage {
 }
 
 /// The quick ones, and those that fail most often, come first.
-const STAGES: [Stage; 10] = [
+const STAGES: [Stage; 11] = [
     Stage { name: "format", run: check_format },
     Stage { name: "layers", run: layers::check },
     Stage { name: "core tests", run: test_core },
+    Stage { name: "exported scripts", run: scripts::run },
     Stage { name: "user-interface tests", run: test_ui },
     Stage { name: "lints of the core alone", run: lint_core },
     Stage { name: "lints of everything", run: lint_everything },

@@ -75,13 +75,22 @@ impl Tool {
     }
 }
 
+/// Rust's name of the machine that programs are built for.
+pub fn host(project: &Project) -> Result<String> {
+    let told = process::output_of(rustc(project).arg("--version").arg("--verbose"))?;
+    let host = told.lines().find_map(|line| line.strip_prefix("host: "));
+    Ok(host.context("rustc doesn't tell its host")?.to_owned())
+}
+
+fn rustc(project: &Project) -> Command {
+    let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+    rustc.current_dir(&project.root);
+    rustc
+}
+
 /// Adds Rust's WebAssembly target if it is missing.
 pub fn add_wasm_target(project: &Project) -> Result<()> {
-    let sysroot = process::output_of(
-        Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
-            .current_dir(&project.root)
-            .args(["--print", "sysroot"]),
-    )?;
+    let sysroot = process::output_of(rustc(project).args(["--print", "sysroot"]))?;
     let library = PathBuf::from(sysroot.trim()).join("lib/rustlib").join(WASM_TARGET);
     if library.is_dir() {
         return Ok(());
@@ -102,7 +111,8 @@ pub fn path_with(folders: Vec<PathBuf>) -> Result<std::ffi::OsString> {
         .context("a folder's name cannot be put on the PATH")
 }
 
-fn tools_folder() -> Result<PathBuf> {
+/// The folder of all tools, in the user's cache.
+pub fn tools_folder() -> Result<PathBuf> {
     let base = etcetera::choose_base_strategy().context("this user has no home folder")?;
     Ok(base.cache_dir().join("eigenwing"))
 }

@@ -1,8 +1,8 @@
 //! Answers as CSV: a head with units, every digit, an empty cell where there is no number.
 
 use eigenwing::export::{
-    AircraftReport, FlightOutcome, FrequencyReport, MeasureReport, MeasureValue, ParameterReport,
-    PlaneOutcome, Report, ResponseReport, SplitOutcome, SweepPlane, SweepReport,
+    AircraftReport, FlightOutcome, FlightReport, FrequencyReport, MeasureReport, MeasureValue,
+    ParameterReport, PlaneOutcome, Report, ResponseReport, SplitOutcome, SweepPlane, SweepReport,
 };
 
 use crate::tables::heading;
@@ -13,7 +13,7 @@ fn csv<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [String; N]>)
 }
 
 /// The same with as many columns as the head has.
-fn records<R: IntoIterator<Item = String>>(head: R, mut rows: impl Iterator<Item = R>) -> String {
+pub fn records<R: IntoIterator<Item = String>>(head: R, mut rows: impl Iterator<Item = R>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let written = writer.write_record(head).and_then(|()| rows.try_for_each(|row| writer.write_record(row)));
     // Nothing can go wrong on the way into memory; and if it did, the text would end there.
@@ -107,7 +107,16 @@ pub fn response(report: &ResponseReport) -> String {
     for signal in report.inputs.iter().chain(&report.outputs) {
         columns.push((heading(signal.name, signal.unit), &signal.values));
     }
-    for signal in flight.into_iter().flat_map(|flight| &flight.outputs) {
+    let closed = report.closed_loop.as_ref();
+    for signal in closed.into_iter().flat_map(|closed| closed.controls.iter().chain(&closed.outputs)) {
+        columns.push((heading(&format!("{} under the law", signal.name), signal.unit), &signal.values));
+    }
+    // Without a law the controls are the inputs.
+    let controls = |flight: &'_ FlightReport| if closed.is_some() { flight.controls.len() } else { 0 };
+    for signal in flight
+        .into_iter()
+        .flat_map(|flight| flight.outputs.iter().chain(flight.controls.iter().take(controls(flight))))
+    {
         columns.push((heading(&format!("{} nonlinear", signal.name), signal.unit), &signal.values));
     }
     for split in report.split.iter().flatten().filter_map(SplitOutcome::split) {
@@ -138,7 +147,9 @@ pub fn response_notes(report: &ResponseReport) -> Vec<String> {
             flight.stop.as_ref().map(|stop| format!("the nonlinear flight ends: {}", stop.sentence))
         }
     });
-    report.small_limit.clone().into_iter().chain(split).chain(flight).collect()
+    let limits = report.nonlinear.as_ref().and_then(FlightOutcome::flight).into_iter();
+    let limits = limits.flat_map(|flight| flight.limit_sentences.iter().cloned());
+    report.small_limit.clone().into_iter().chain(split).chain(limits).chain(flight).collect()
 }
 
 /// A row for each frequency.

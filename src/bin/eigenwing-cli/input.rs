@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use eigenwing::content::MatrixFormat;
-use eigenwing::export::{ExportError, Source, Subject};
-use eigenwing::scenario::Scenario;
+use eigenwing::content::import::{self, FileBytes, review::Review};
+use eigenwing::export::{DisturbanceRequest, ExportError, Scene, Source, Subject};
+use eigenwing::scenario::link::is_link;
 use thiserror::Error;
 
-use crate::arguments::SubjectArguments;
+use crate::arguments::{DisturbanceArguments, FillArguments, SubjectArguments};
 
 /// Error that ends the program, in one line.
 #[derive(Debug, Error)]
@@ -16,48 +16,101 @@ pub enum InputError {
     Export(#[from] ExportError),
     #[error("cannot read {}: {error}", .path.display())]
     Unreadable { path: PathBuf, error: std::io::Error },
+    #[error("cannot write {}: {error}", .path.display())]
+    Unwritable { path: PathBuf, error: std::io::Error },
     #[error("{} is not a text: byte {offset} is not UTF-8", .path.display())]
     NotText { path: PathBuf, offset: usize },
+    /// In the units of the table.
+    #[error("{0}")]
+    Told(String),
+    /// Bytes would be signs that steer the terminal.
+    #[error("a picture can't be printed on a terminal: give it a file, --output {file}")]
+    OnTerminal { file: String },
+    #[error("the figure can't be drawn as a picture: {0}")]
+    Picture(String),
+    #[error("only figures become pictures: {} would be {kind}", .path.display())]
+    NoPicture { path: PathBuf, kind: &'static str },
     /// The faults of lessons, one a line.
     #[error("{0}")]
     Lessons(String),
-    #[error("{}: expected a name that ends in .json, .csv or .m", .0.display())]
-    UnknownFormat(PathBuf),
 }
 
 impl SubjectArguments {
-    /// The aircraft that is asked about, with what is set on it.
-    pub fn read(&self) -> Result<Scenario, InputError> {
-        let source = match (&self.matrix, &self.aircraft) {
-            (Some(path), _) => matrices(path)?,
+    /// The scene that is asked about: an aircraft with what is set on it, or a link. What of a link can't be used is said at once.
+    pub fn read(&self) -> Result<Scene, InputError> {
+        let mut scene = self.subject()?.scene()?;
+        scene.scenario.notation = self.notation.unwrap_or(scene.scenario.notation);
+        scene.notices.iter().for_each(|notice| eprintln!("note: {notice}"));
+        Ok(scene)
+    }
+
+    fn subject(&self) -> Result<Subject, InputError> {
+        let name = self.link.as_ref().or(self.aircraft.as_ref());
+        let source = match (&self.matrix, name) {
+            (Some(path), _) => self.fills.source(path)?,
+            (None, Some(link)) if self.link.is_some() || is_link(link) => Source::Link(link.clone()),
             (None, Some(name)) if name.ends_with(".toml") => {
                 Source::Toml { file: name.clone(), text: text_of(Path::new(name))? }
             }
-            // A forgotten --matrix: no aircraft of the list has such a name.
-            (None, Some(name)) if MatrixFormat::of_file(name).is_some() => matrices(Path::new(name))?,
-            (None, name) => Source::Listed(name.clone().unwrap_or_default()),
+            // No aircraft of the list has such a name.
+            (None, Some(name)) if name.contains(['.', '/', '\\']) => self.fills.source(Path::new(name))?,
+            (None, name) => Source::Listed(name.cloned().unwrap_or_default()),
         };
         Ok(Subject {
             source,
             set: self.set.clone(),
             class: self.class.clone(),
             category: self.category.clone(),
-        }
-        .scenario()?)
+        })
     }
 }
 
-fn matrices(path: &Path) -> Result<Source, InputError> {
-    let file = path.display().to_string();
-    let format = MatrixFormat::of_file(&file).ok_or_else(|| InputError::UnknownFormat(path.to_owned()))?;
-    Ok(Source::Matrices { text: text_of(path)?, file, format })
+impl FillArguments {
+    /// The review of a file, with what was typed beside it.
+    pub fn review(&self, path: &Path) -> Result<Review, InputError> {
+        let name = path.display().to_string();
+        let bytes = bytes_of(path)?;
+        let named = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), bytes_of(path)?));
+        let mass = self.mass_file.as_ref().map(named).transpose()?;
+        let mut files = vec![FileBytes { name: &name, bytes: &bytes }];
+        files.extend(mass.as_ref().map(|(name, bytes)| FileBytes { name, bytes }));
+        let fills = self.fill.iter().cloned().collect();
+        Ok(import::review(&files, &fills).map_err(ExportError::from)?)
+    }
+
+    /// The aircraft of a file, or in one sentence what stands in its way.
+    fn source(&self, path: &Path) -> Result<Source, InputError> {
+        let review = self.review(path)?;
+        Ok(Source::Toml { text: review.text().map_err(ExportError::from)?.to_owned(), file: review.file })
+    }
+}
+
+fn bytes_of(path: &Path) -> Result<Vec<u8>, InputError> {
+    std::fs::read(path).map_err(|error| InputError::Unreadable { path: path.to_owned(), error })
+}
+
+impl DisturbanceArguments {
+    /// The disturbance that is asked for.
+    pub fn request(&self) -> DisturbanceRequest {
+        DisturbanceRequest {
+            plane: self.plane.clone(),
+            disturbance: self.disturbance.clone(),
+            shape: self.shape.clone(),
+            mode: self.mode.clone(),
+            nonlinear: self.nonlinear,
+            split: self.split,
+        }
+    }
+}
+
+/// Writes a file, over whatever is in it.
+pub fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), InputError> {
+    std::fs::write(path, content).map_err(|error| InputError::Unwritable { path: path.to_owned(), error })
 }
 
 /// The text of a file.
 pub fn text_of(path: &Path) -> Result<String, InputError> {
-    let bytes =
-        std::fs::read(path).map_err(|error| InputError::Unreadable { path: path.to_owned(), error })?;
-    String::from_utf8(bytes).map_err(|error| InputError::NotText {
+    String::from_utf8(bytes_of(path)?).map_err(|error| InputError::NotText {
         path: path.to_owned(),
         offset: error.utf8_error().valid_up_to(),
     })

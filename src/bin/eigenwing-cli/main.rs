@@ -10,15 +10,22 @@
 mod arguments;
 mod csv_output;
 mod frequency_table;
+mod grade;
+mod grade_table;
 mod input;
 mod lesson_check;
+mod manual;
+mod picture;
 mod response_table;
+mod review_table;
+mod shown_units;
 mod tables;
+mod taken;
 
 use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
 
-use arguments::{Arguments, Command, Format};
+use arguments::{Arguments, Command, DisturbanceArguments, Format};
 use clap::Parser as _;
 use clap::error::ErrorKind as Misuse;
 use eigenwing::export::{
@@ -36,7 +43,7 @@ fn main() -> ExitCode {
         Err(error) => return misused(&error),
     };
     match answer(&arguments.command) {
-        Ok(text) => print(&text),
+        Ok(answer) => print(&answer),
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE
@@ -45,8 +52,8 @@ fn main() -> ExitCode {
 }
 
 /// Output of a command.
-fn answer(command: &Command) -> Result<String, InputError> {
-    Ok(match command {
+fn answer(command: &Command) -> Result<Vec<u8>, InputError> {
+    let text = match command {
         Command::List { output } => {
             let list = export::list();
             match output.format() {
@@ -55,26 +62,32 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 Format::Csv => csv_output::list(&list),
             }
         }
-        Command::Parameters { subject, output } => {
-            let parameters = export::parameters_of(&subject.read()?);
+        Command::Parameters { subject, output, units } => {
+            let mut scene = subject.read()?;
+            let units = units.of(&mut scene);
+            let parameters = export::parameters_of(&scene.scenario);
             match output.format() {
-                Format::Table => tables::parameters(&parameters),
+                Format::Table => tables::parameters(&parameters, units),
                 Format::Json => json(&parameters),
                 Format::Csv => csv_output::parameters(&parameters),
             }
         }
-        Command::Measures { subject, all, output } => {
-            let measures = export::measures_of(&Findings::of(subject.read()?), *all);
+        Command::Measures { subject, all, output, units } => {
+            let mut scene = subject.read()?;
+            let units = units.of(&mut scene);
+            let measures = export::measures_of(&Findings::of(scene.scenario), *all);
             match output.format() {
-                Format::Table => tables::measures(&measures),
+                Format::Table => tables::measures(&measures, units),
                 Format::Json => json(&measures),
                 Format::Csv => csv_output::measures(&measures),
             }
         }
-        Command::Analyse { subject, output } => {
-            let report = export::analyse(&Findings::of(subject.read()?))?;
+        Command::Analyse { subject, output, units } => {
+            let mut scene = subject.read()?;
+            let units = units.of(&mut scene);
+            let report = export::analyse(&scene).map_err(|error| units.told(error))?;
             match output.format() {
-                Format::Table => tables::analysis(&report),
+                Format::Table => tables::analysis(&report, units, scene.scenario.notation),
                 Format::Json => json(&report),
                 Format::Csv => csv_output::analysis(&report),
             }
@@ -83,7 +96,16 @@ fn answer(command: &Command) -> Result<String, InputError> {
             let report = export::why(&subject.read()?)?;
             if *as_json { json(&report) } else { tables::why(&report) }
         }
-        Command::Respond { subject, plane, disturbance, shape, mode, steps, nonlinear, split, output } => {
+        Command::Read { file, fills, toml, json: as_json } => {
+            let review = fills.review(file)?;
+            match (toml, as_json) {
+                (true, _) => review.text().map_err(export::ExportError::from)?.to_owned(),
+                (_, true) => json(&review),
+                _ => review_table::review(&review),
+            }
+        }
+        Command::Respond { subject, disturbance, steps, output, units } => {
+            let DisturbanceArguments { plane, disturbance, shape, mode, nonlinear, split } = disturbance;
             let request = ResponseRequest {
                 plane: plane.clone(),
                 disturbance: disturbance.clone(),
@@ -93,9 +115,11 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 nonlinear: *nonlinear,
                 split: *split,
             };
-            let report = export::respond(&subject.read()?, &request)?;
+            let mut scene = subject.read()?;
+            let units = units.of(&mut scene);
+            let report = export::respond(&scene, &request).map_err(|error| units.told(error))?;
             match output.format() {
-                Format::Table => response_table::response(&report),
+                Format::Table => response_table::response(&report, units),
                 Format::Json => json(&report),
                 Format::Csv => {
                     csv_output::response_notes(&report).iter().for_each(|note| eprintln!("note: {note}"));
@@ -103,7 +127,7 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 }
             }
         }
-        Command::Frequency { subject, plane, disturbance, watched, from, to, points, output } => {
+        Command::Frequency { subject, plane, disturbance, watched, from, to, points, output, units } => {
             let request = FrequencyRequest {
                 plane: plane.clone(),
                 disturbance: disturbance.clone(),
@@ -112,15 +136,27 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 to: *to,
                 points: *points,
             };
-            let report = export::frequency(&subject.read()?, &request)?;
+            let mut scene = subject.read()?;
+            let units = units.of(&mut scene);
+            let report = export::frequency(&scene, &request).map_err(|error| units.told(error))?;
             match output.format() {
-                Format::Table => frequency_table::frequency(&report),
+                Format::Table => frequency_table::frequency(&report, units),
                 Format::Json => json(&report),
                 Format::Csv => csv_output::frequency(&report),
             }
         }
+        Command::Link { subject, disturbance, address, json: as_json } => {
+            let report = export::link_to(&subject.read()?, &disturbance.request(), address.as_deref())?;
+            if *as_json { json(&report) } else { report.link + "\n" }
+        }
+        Command::Export { target, subject, disturbance, output } => {
+            return taken::take(target, &subject.read()?, &disturbance.request(), output.as_deref());
+        }
+        Command::Completions { shell } => manual::completions(*shell),
+        Command::Manual { folder } => manual::write(folder)?,
         Command::Check { files } => lesson_check::check(files)?,
-        Command::Sweep { subject, parameter, from, to, points, measures, output } => {
+        Command::Grade(arguments) => grade::grade(arguments)?,
+        Command::Sweep { subject, parameter, from, to, points, measures, output, units } => {
             let request = SweepRequest {
                 parameter: parameter.clone(),
                 from: *from,
@@ -128,16 +164,19 @@ fn answer(command: &Command) -> Result<String, InputError> {
                 points: *points,
                 measures: measures.clone(),
             };
-            let report = swept(Sweep::new(subject.read()?, &request)?);
+            let mut scene = subject.read()?;
+            let units = units.of(&mut scene);
+            let report = swept(Sweep::new(scene, &request)?);
             match output.format() {
-                Format::Table if measures.is_empty() => tables::sweep(&report),
-                Format::Table => tables::measured_sweep(&report),
+                Format::Table if measures.is_empty() => tables::sweep(&report, units),
+                Format::Table => tables::measured_sweep(&report, units),
                 Format::Json => json(&report),
                 Format::Csv if measures.is_empty() => csv_output::sweep(&report),
                 Format::Csv => csv_output::measured_sweep(&report),
             }
         }
-    })
+    };
+    Ok(text.into_bytes())
 }
 
 /// The report of a sweep, with a bar on a terminal while it takes its time.
@@ -163,9 +202,9 @@ fn json(answer: &impl Serialize) -> String {
 }
 
 /// Prints an answer. Whoever reads it may stop early, as `head` does; that is no error.
-fn print(text: &str) -> ExitCode {
+fn print(answer: &[u8]) -> ExitCode {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(answer).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             eprintln!("error: cannot write the answer: {error}");
             ExitCode::FAILURE

@@ -5,16 +5,17 @@ use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::key::Keyed;
 use eigenwing::words::metrics as words;
 
+use crate::shown_units::ShownUnits;
 use crate::tables::{DIGITS, heading, number, optional, percent, stride, table};
 
 /// Columns of a motion that fit side by side; more are for `--csv`.
 const OUTPUTS: usize = 5;
 
-pub fn response(report: &ResponseReport) -> String {
+pub fn response(report: &ResponseReport, units: ShownUnits) -> String {
     let disturbance: Vec<&str> =
         [Some(report.disturbance), report.shape, report.mode].into_iter().flatten().collect();
     let mut text = format!("{}: {}, {}\n", report.aircraft.name, report.plane, disturbance.join(" "));
-    text += &samples(&report.time, report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)));
+    text += &samples(&report.time, report.inputs.iter().chain(report.outputs.iter().take(OUTPUTS)), units);
     if let Some(sentence) = &report.small_limit {
         text += &format!("{sentence}.\n");
     }
@@ -22,11 +23,20 @@ pub fn response(report: &ResponseReport) -> String {
         text +=
             &format!("Cut at {} s, where the linear motion is too large to mean anything.\n", number(time));
     }
-    text += &metrics(report.plane, &report.metrics);
+    text += &metrics(report.plane, &report.metrics, units);
+    if let Some(closed) = &report.closed_loop {
+        text += "\nUnder the law\n";
+        let signals = closed.controls.iter().chain(closed.outputs.iter().take(OUTPUTS - 1));
+        text += &samples(&report.time, signals, units);
+        text += &metrics(report.plane, &closed.metrics, units);
+    }
     match &report.nonlinear {
         Some(FlightOutcome::Flown(flight)) => {
             text += "\nNonlinear flight\n";
-            text += &samples(&flight.time, flight.outputs.iter().take(OUTPUTS));
+            text += &samples(&flight.time, flight.outputs.iter().take(OUTPUTS), units);
+            for sentence in &flight.limit_sentences {
+                text += &format!("{sentence}.\n");
+            }
             if let Some(stop) = &flight.stop {
                 text += &format!("Nonlinear flight ends: {}.\n", stop.sentence);
             }
@@ -34,22 +44,25 @@ pub fn response(report: &ResponseReport) -> String {
         Some(FlightOutcome::Refused { error }) => text += &format!("\nNo nonlinear flight: {error}.\n"),
         None => {}
     }
-    text + &report.split.as_deref().map_or_else(String::new, parts)
+    text + &report.split.as_deref().map_or_else(String::new, |split| parts(split, units))
 }
 
 /// A row a sample, as many as can be read.
-fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>) -> String {
+fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>, units: ShownUnits) -> String {
     let signals: Vec<&Signal> = signals.collect();
     let heads: Vec<String> = std::iter::once(heading("time", "s"))
-        .chain(signals.iter().map(|signal| heading(signal.name, signal.unit)))
+        .chain(signals.iter().map(|signal| heading(signal.name, units.of_motion(signal.unit).1)))
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let step = stride(time.len());
-    let columns: Vec<(&[f64], f64)> =
-        signals.iter().map(|signal| (signal.values.as_slice(), largest(&signal.values))).collect();
+    let column = |signal: &&'a Signal| {
+        (signal.values.as_slice(), largest(&signal.values), units.of_motion(signal.unit).0)
+    };
+    let columns: Vec<(&[f64], f64, f64)> = signals.iter().map(column).collect();
     let rows = (0..time.len()).step_by(step).map(|k| {
-        let cell =
-            |&(values, most): &(&[f64], f64)| optional(values.get(k).map(|x| unless_rounding(*x, most)));
+        let cell = |&(values, most, in_si): &(&[f64], f64, f64)| {
+            optional(values.get(k).map(|x| unless_rounding(*x, most) / in_si))
+        };
         std::iter::once(optional(time.get(k).copied())).chain(columns.iter().map(cell)).collect()
     });
     let mut text = table(0, &heads, rows);
@@ -63,18 +76,24 @@ fn samples<'a>(time: &[f64], signals: impl Iterator<Item = &'a Signal>) -> Strin
 }
 
 /// A row an output, and what concerns the whole motion.
-fn metrics(plane: &str, metrics: &MetricsReport) -> String {
+fn metrics(plane: &str, metrics: &MetricsReport, units: ShownUnits) -> String {
     let seconds = |time: Option<f64>| time.map_or_else(String::new, |t| format!("{} s", number(t)));
     let is_random = metrics.outputs.iter().any(|of| of.root_mean_square.is_some());
     let rows = metrics.outputs.iter().map(|of| {
+        let (in_si, unit) = units.of_motion(of.unit);
         // What is still growing where the linear model ends is no peak.
-        let beyond = of.beyond.map(|value| format!("beyond {}", number(value)));
-        let peak = beyond.unwrap_or_else(|| optional(of.peak.map(|peak| peak.value)));
-        let mut row = vec![heading(of.name, of.unit), peak, seconds(of.peak.map(|peak| peak.time))];
+        let beyond = of.beyond.map(|value| format!("beyond {}", number(value / in_si)));
+        let peak = beyond.unwrap_or_else(|| optional(of.peak.map(|peak| peak.value / in_si)));
+        let mut row = vec![heading(of.name, unit), peak, seconds(of.peak.map(|peak| peak.time))];
         row.extend(if is_random {
-            vec![optional(of.root_mean_square)]
+            vec![optional(of.root_mean_square.map(|x| x / in_si))]
         } else {
-            vec![optional(of.steady), seconds(of.rise_time), seconds(of.settling_time), percent(of.overshoot)]
+            vec![
+                optional(of.steady.map(|x| x / in_si)),
+                seconds(of.rise_time),
+                seconds(of.settling_time),
+                percent(of.overshoot),
+            ]
         });
         row
     });
@@ -86,7 +105,7 @@ fn metrics(plane: &str, metrics: &MetricsReport) -> String {
         metrics.load_factor_beyond.map(|value| words::load_factor_beyond(plane, value, DIGITS)),
         metrics.peak_load_factor.map(|peak| words::largest_load_factor(plane, peak.value, peak.time, DIGITS)),
         metrics.time_to_bank.map(|time| words::time_to_bank(time, DIGITS)),
-        metrics.phugoid_swing.map(|height| words::phugoid_swing(height, DIGITS)),
+        metrics.phugoid_swing.map(|height| words::phugoid_swing(height, units.length(), DIGITS)),
         metrics.control_anticipation.map(|cap| words::control_anticipation(cap, DIGITS)),
         metrics.steady_is_beyond.then(|| words::STEADY_BEYOND.to_owned()),
     ];
@@ -97,7 +116,7 @@ fn metrics(plane: &str, metrics: &MetricsReport) -> String {
 }
 
 /// Largest values of the parts of the modes: a row for each output, a column for each mode.
-fn parts(outcomes: &[SplitOutcome]) -> String {
+fn parts(outcomes: &[SplitOutcome], units: ShownUnits) -> String {
     let splits: Vec<&SplitReport> = outcomes.iter().filter_map(SplitOutcome::split).collect();
     let mut text = String::new();
     if let Some(first) = splits.first() {
@@ -107,8 +126,9 @@ fn parts(outcomes: &[SplitOutcome]) -> String {
             let all = split.parts.iter().map(|part| &part.values).chain([&split.rest]);
             let peaks: Vec<f64> = all.map(|values| largest(values)).collect();
             let most = largest(&peaks);
-            let mut row = vec![heading(split.name, split.unit)];
-            row.extend(peaks.iter().map(|peak| number(unless_rounding(*peak, most))));
+            let (in_si, unit) = units.of_motion(split.unit);
+            let mut row = vec![heading(split.name, unit)];
+            row.extend(peaks.iter().map(|peak| number(unless_rounding(*peak, most) / in_si)));
             row
         });
         text += &format!("\n{}", table(1, &head, rows));

@@ -2,14 +2,18 @@
 
 use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
 use eigenwing::export::{
-    AircraftReport, MeasureReport, MeasureValue, ParameterReport, PlaneOutcome, PlaneReport, Report,
-    StiffnessReport, SweepChange, SweepPlane, SweepReport, ValueReport, WhyReport,
+    AircraftReport, LeastGainReport, LoopModeReport, LoopOutcome, LoopReport, MeasureReport, MeasureValue,
+    ModeReport, ParameterReport, PlaneOutcome, PlaneReport, Report, StiffnessReport, SweepChange, SweepPlane,
+    SweepReport, ValueReport, WhyReport,
 };
 use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::stability::Stability;
 use eigenwing::key::Keyed as _;
 use eigenwing::number::significant;
+use eigenwing::scenario::{Notation, Parameter};
 use eigenwing::words;
+
+use crate::shown_units::ShownUnits;
 
 /// Digits of a number.
 pub const DIGITS: usize = 4;
@@ -70,54 +74,67 @@ pub fn list(list: &[AircraftReport]) -> String {
     table(5, &["key", "aircraft", "condition", "planes", "modes"], list.iter().map(row))
 }
 
-pub fn parameters(parameters: &[ParameterReport]) -> String {
+pub fn parameters(parameters: &[ParameterReport], units: ShownUnits) -> String {
     let row = |p: &ParameterReport| {
+        let (in_si, unit) = units.unit(p.unit);
         let [low, high] = p.slider;
         vec![
             p.key.to_owned(),
             p.name.to_owned(),
-            p.unit.to_owned(),
-            number(p.value),
-            number(low),
-            number(high),
+            unit.to_owned(),
+            number(p.value / in_si),
+            number(low / in_si),
+            number(high / in_si),
         ]
     };
     table(3, &["key", "parameter", "unit", "value", "slider from", "to"], parameters.iter().map(row))
 }
 
-pub fn measures(measures: &[MeasureReport]) -> String {
+pub fn measures(measures: &[MeasureReport], units: ShownUnits) -> String {
     let row = |m: &MeasureReport| {
-        let value = m.absent.clone().unwrap_or_else(|| m.value.map_or_else(String::new, measured));
-        vec![m.key.clone(), m.name.clone(), m.unit.to_owned(), value]
+        let (in_si, unit) = units.unit(m.unit);
+        let value = |value| measured(value, in_si);
+        let value = m.absent.clone().unwrap_or_else(|| m.value.map_or_else(String::new, value));
+        vec![m.key.clone(), m.name.clone(), unit.to_owned(), value]
     };
     table(3, &["key", "measure", "unit", "value"], measures.iter().map(row))
 }
 
-/// A number with four digits, or the key of a verdict.
-fn measured(value: MeasureValue) -> String {
+/// A number with four digits in a unit, or the key of a verdict.
+fn measured(value: MeasureValue, in_si: f64) -> String {
     match value {
-        MeasureValue::Number(x) => number(x),
+        MeasureValue::Number(x) => number(x / in_si),
         MeasureValue::Verdict(key) => key.to_owned(),
     }
 }
 
 /// A sweep with a column for each measure.
-pub fn measured_sweep(report: &SweepReport) -> String {
-    let columns = report.measures.iter().map(|measure| heading(&measure.key, measure.unit));
-    let head: Vec<String> = std::iter::once(heading(report.parameter, report.unit)).chain(columns).collect();
+pub fn measured_sweep(report: &SweepReport, units: ShownUnits) -> String {
+    let of_measures: Vec<(f64, &str)> =
+        report.measures.iter().map(|measure| units.unit(measure.unit)).collect();
+    let (in_si, unit) = units.unit(report.unit);
+    let columns =
+        report.measures.iter().zip(&of_measures).map(|(measure, (_, unit))| heading(&measure.key, unit));
+    let head: Vec<String> = std::iter::once(heading(report.parameter, unit)).chain(columns).collect();
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let rows = report.points.iter().map(|point| {
-        let values = point.measures.iter().map(|value| value.map_or_else(String::new, measured));
-        std::iter::once(number(point.value)).chain(values).collect()
+        let values = point.measures.iter().zip(&of_measures);
+        let values =
+            values.map(|(value, (in_si, _))| value.map_or_else(String::new, |value| measured(value, *in_si)));
+        std::iter::once(number(point.value / in_si)).chain(values).collect()
     });
     format!("{}\n{}", report.aircraft.name, table(0, &head, rows))
 }
 
-pub fn analysis(report: &Report) -> String {
+pub fn analysis(report: &Report, units: ShownUnits, notation: Notation) -> String {
     let aircraft = &report.aircraft;
     let mut text = format!("{}: {} ({})\n", aircraft.name, aircraft.condition, report.status_now);
     for (key, value) in &report.set {
-        text += &format!("{key} = {}\n", number(*value));
+        let si = Parameter::find(key).map_or("", |parameter| parameter.dimension.si_symbol());
+        let (in_si, unit) = units.unit(si);
+        let unit = if units == ShownUnits::Si { "" } else { unit };
+        text += format!("{key} = {} {unit}", number(*value / in_si)).trim_end();
+        text += "\n";
     }
     for note in &aircraft.notes {
         text += &format!("Note: {note}\n");
@@ -125,13 +142,25 @@ pub fn analysis(report: &Report) -> String {
     for (name, outcome) in [("Longitudinal", &report.longitudinal), ("Lateral–directional", &report.lateral)]
     {
         match outcome {
-            Some(PlaneOutcome::Analysed(plane)) => text += &plane_text(name, plane),
+            Some(PlaneOutcome::Analysed(plane)) => text += &plane_text(name, plane, units, notation),
             Some(PlaneOutcome::Failed { error }) => text += &format!("\n{name}: {error}\n"),
             None => {}
         }
     }
     if let Some(overall) = &report.overall_level {
-        text += &format!("\nHandling qualities: {}\n", overall.sentence);
+        let planes = [&report.longitudinal, &report.lateral].into_iter().flatten();
+        let closed: Vec<&LoopOutcome> =
+            planes.filter_map(PlaneOutcome::report).filter_map(|plane| plane.closed_loop.as_ref()).collect();
+        let is_fed_back =
+            |closed: &&LoopOutcome| !matches!(closed, LoopOutcome::Analysed(closed) if !closed.feedback);
+        let which = if closed.iter().any(is_fed_back) {
+            "Handling qualities without the law"
+        } else if closed.is_empty() {
+            "Handling qualities"
+        } else {
+            "Handling qualities of the four states"
+        };
+        text += &format!("\n{which}: {}\n", overall.sentence);
     }
     if let (Some(of_static), Some(of_manoeuvre)) = (report.static_margin, report.manoeuvre_margin) {
         text += &format!(
@@ -148,7 +177,8 @@ pub fn analysis(report: &Report) -> String {
 
 /// Why the modes have moved, mode by mode.
 pub fn why(report: &WhyReport) -> String {
-    let mut text = format!("{}\n", report.name);
+    let since = if report.since == "pinned" { words::change::SINCE_PIN } else { words::change::SINCE_FILE };
+    let mut text = format!("{}: {}\n", report.name, since.to_lowercase());
     for plane in &report.planes {
         text += &format!("\nMoved: {}\n", plane.sentence);
         for mode in &plane.modes {
@@ -161,42 +191,35 @@ pub fn why(report: &WhyReport) -> String {
     text
 }
 
-fn plane_text(name: &str, plane: &PlaneReport) -> String {
+fn plane_text(name: &str, plane: &PlaneReport, units: ShownUnits, notation: Notation) -> String {
+    let (in_si, unit) = match notation {
+        Notation::Velocities => units.unit("1/(m·s)"),
+        Notation::Angles => (1.0 / plane.trim.speed, "1/s²"),
+    };
     let (of_static, of_dynamic) = (&plane.static_stability, plane.dynamic_stability);
     let mut text = format!(
         "\n{name}: dynamically {of_dynamic}, statically {} (det A = {} 1/s⁴)\n",
         of_static.verdict,
         number(of_static.determinant)
     );
-    text += &match of_static.stiffness {
+    let stiffness = match of_static.stiffness {
         StiffnessReport::Longitudinal { pitch_stiffness, .. } => {
-            format!("Pitch stiffness M_w = {} 1/(m·s)\n", number(pitch_stiffness))
+            format!("Pitch stiffness M_w = {} {unit}\n", number(pitch_stiffness / in_si))
         }
         StiffnessReport::Lateral { weathercock_stiffness, dihedral_effect, .. } => {
-            let [yaw, roll] = [weathercock_stiffness, dihedral_effect].map(number);
+            let [yaw, roll] = [weathercock_stiffness, dihedral_effect].map(|x| number(x / in_si));
             if of_static.plain_derivatives {
-                format!("Weathercock stability N_v = {yaw} 1/(m·s), dihedral effect L_v = {roll} 1/(m·s)\n")
+                format!("Weathercock stability N_v = {yaw} {unit}, dihedral effect L_v = {roll} {unit}\n")
             } else {
                 format!(
-                    "Weathercock stability N′_v = {yaw} 1/(m·s), dihedral effect L′_v = {roll} 1/(m·s); \
+                    "Weathercock stability N′_v = {yaw} {unit}, dihedral effect L′_v = {roll} {unit}; \
                      the primes include the product of inertia\n"
                 )
             }
         }
     };
-    let head = ["mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "T [s]", "t½ [s]", "t₂ [s]"];
-    let modes = plane.modes.iter().map(|mode| {
-        vec![
-            mode.name.to_owned(),
-            eigenvalue(mode.re, mode.im),
-            optional(mode.natural_frequency),
-            optional(mode.damping_ratio),
-            optional(mode.period),
-            optional(mode.time_to_half),
-            optional(mode.time_to_double),
-        ]
-    });
-    text += &table(1, &head, modes);
+    text += &words::notation::prose(&stiffness, notation);
+    text += &modes(plane.modes.iter());
     for mode in &plane.modes {
         text += &format!("{}: {}\n", mode.name, mode.reason);
     }
@@ -221,29 +244,97 @@ fn plane_text(name: &str, plane: &PlaneReport) -> String {
             percent(a.damping_error),
         ]
     });
-    text + &table(2, &head, approximations)
+    text += &table(2, &head, approximations);
+    match &plane.closed_loop {
+        Some(LoopOutcome::Analysed(closed)) => text + &closed_text(name, closed),
+        Some(LoopOutcome::Failed { error }) => text + &format!("\n{name} under the law: {error}\n"),
+        None => text,
+    }
 }
 
-pub fn sweep(report: &SweepReport) -> String {
-    let value = heading(report.parameter, report.unit);
+fn modes<'a>(modes: impl Iterator<Item = &'a ModeReport>) -> String {
+    let head = ["mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "T [s]", "t½ [s]", "t₂ [s]"];
+    let row = |mode: &ModeReport| {
+        vec![
+            mode.name.to_owned(),
+            eigenvalue(mode.re, mode.im),
+            optional(mode.natural_frequency),
+            optional(mode.damping_ratio),
+            optional(mode.period),
+            optional(mode.time_to_half),
+            optional(mode.time_to_double),
+        ]
+    };
+    table(1, &head, modes.map(row))
+}
+
+/// A lag, or a lead where it is negative.
+fn phase_margin(angle: f64) -> String {
+    let lead = if angle < 0.0 { " lead" } else { "" };
+    number(angle.to_degrees().abs()) + lead
+}
+
+/// The same plane under its law and with the further states of its source.
+fn closed_text(name: &str, closed: &LoopReport) -> String {
+    let states = closed.states.get(4..).unwrap_or_default().join(", ");
+    let whole = if closed.feedback { "under the law".to_owned() } else { format!("with {states}") };
+    let mut text = format!("\n{name} {whole}: dynamically {}\n", closed.dynamic_stability);
+    text += &modes(closed.modes.iter().map(|mode| &mode.mode));
+    for LoopModeReport { mode, .. } in &closed.modes {
+        text += &format!("{}: {}\n", mode.name, mode.reason);
+    }
+    for level in &closed.levels {
+        text += &format!("{}: {}\n", level.criterion, level.sentence);
+    }
+    let head =
+        ["loop", "gain ×", "gain ÷", "phase margin [deg]", "crossover [rad/s]", "sensitivity", "at [rad/s]"];
+    let margins = closed.loops.iter().map(|margins| {
+        vec![
+            margins.control.to_owned(),
+            optional(margins.raise),
+            optional(margins.lower.map(f64::recip)),
+            margins.phase_margin.map_or_else(String::new, phase_margin),
+            optional(margins.crossover),
+            optional(margins.sensitivity_peak),
+            optional(margins.sensitivity_frequency),
+        ]
+    });
+    if !closed.loops.is_empty() {
+        text += &table(1, &head, margins);
+    }
+    for LeastGainReport { gain, unit, least, reason } in &closed.least_gains {
+        text += &match (least, reason) {
+            (Some(least), _) => {
+                format!("Least {gain} for Level 1: {} {unit}", number(*least)).trim_end().to_owned()
+            }
+            (None, reason) => format!("{gain}: {}", reason.as_deref().unwrap_or_default()),
+        };
+        text += "\n";
+    }
+    text
+}
+
+pub fn sweep(report: &SweepReport, units: ShownUnits) -> String {
+    let (in_si, unit) = units.unit(report.unit);
+    let value = heading(report.parameter, unit);
     let head = [value.as_str(), "mode", "λ [1/s]", "ωₙ [rad/s]", "ζ", "stability"];
-    let modes = swept_planes(report).flat_map(|(at, _, plane)| sweep_rows(&at, plane));
+    let modes = swept_planes(report, in_si).flat_map(|(at, _, plane)| sweep_rows(&at, plane));
     let mut text = format!("{}\n{}", report.aircraft.name, table(2, &head, modes));
     let head = [value.as_str(), "motion", "det A [1/s⁴]", "static stability", "dynamic stability"];
-    let planes = swept_planes(report).map(|(at, motion, plane)| {
+    let planes = swept_planes(report, in_si).map(|(at, motion, plane)| {
         let SweepPlane { static_stability, dynamic_stability, determinant, .. } = plane;
         let words = [*static_stability, *dynamic_stability].map(str::to_owned);
         [at, motion.to_owned(), number(*determinant)].into_iter().chain(words).collect()
     });
     text += &format!("\n{}", table(2, &head, planes));
-    let unit = report.unit;
     for point in &report.points {
         if let Some(error) = &point.error {
-            text += &format!("At {}: {error}\n", format!("{} {unit}", number(point.value)).trim_end());
+            text +=
+                &format!("At {}: {error}\n", format!("{} {unit}", number(point.value / in_si)).trim_end());
         }
     }
     for SweepChange { plane, stability, at, from, to, .. } in &report.changes {
-        let at = format!("{} {unit}", number(*at));
+        let at = format!("{} {unit}", number(*at / in_si));
         let (plane, from, to) = (Plane::by_key(plane), Stability::by_key(from), Stability::by_key(to));
         let (Some(plane), Some(from), Some(to)) = (plane, from, to) else { continue };
         text += &words::sweep::change(at.trim_end(), plane, *stability == "static", from, to);
@@ -253,10 +344,13 @@ pub fn sweep(report: &SweepReport) -> String {
 }
 
 /// Every plane at every point, with the value there and the name of the plane.
-fn swept_planes(report: &SweepReport) -> impl Iterator<Item = (String, &'static str, &SweepPlane)> {
-    report.points.iter().flat_map(|point| {
+fn swept_planes(
+    report: &SweepReport,
+    in_si: f64,
+) -> impl Iterator<Item = (String, &'static str, &SweepPlane)> {
+    report.points.iter().flat_map(move |point| {
         let planes = [("longitudinal", &point.longitudinal), ("lateral", &point.lateral)];
-        let at = number(point.value);
+        let at = number(point.value / in_si);
         planes.into_iter().filter_map(move |(name, plane)| Some((at.clone(), name, plane.as_ref()?)))
     })
 }

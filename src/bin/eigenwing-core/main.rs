@@ -1,4 +1,5 @@
-//! The core as a JavaScript module: `list`, `parameters`, `measures`, `analyse`, `respond`, `frequency` and `sweep` on plain objects.
+//! The core as a JavaScript module: `list`, `parameters`, `measures`, `analyse`, `respond`, `frequency`, `sweep`, `link` and `takeAlong`
+//! on plain objects.
 //!
 //! `cargo xtask build` makes `dist/core/eigenwing-core.js`, its `.wasm` and its types; `docs/JAVASCRIPT.md` shows how to use them.
 //! Requests and answers go through JSON, which keeps every bit of a number.
@@ -69,6 +70,37 @@ mod exports {
         #[wasm_bindgen(unchecked_param_type = "Subject & SweepRequest")] request: JsValue,
     ) -> Result<JsValue, JsValue> {
         read(json::sweep(&written(&request)?))
+    }
+
+    /// A scene of the page as a link.
+    #[wasm_bindgen(unchecked_return_type = "Link")]
+    pub fn link(
+        #[wasm_bindgen(unchecked_param_type = "Subject & DisturbanceRequest & { address?: string }")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::link(&written(&request)?))
+    }
+
+    /// A scene in another program's form: a script, a file, data or a figure.
+    #[wasm_bindgen(js_name = takeAlong, unchecked_return_type = "TakenAlong")]
+    pub fn take_along(
+        #[wasm_bindgen(unchecked_param_type = "Subject & DisturbanceRequest & { target: Target }")]
+        request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        read(json::take_along(&written(&request)?))
+    }
+
+    /// What is in a file of another program or of matrices: what was read as what, what is missing, what looks wrong, and the
+    /// aircraft as the text of an aircraft file, once nothing is missing. `fills` is what a person has typed into the fields,
+    /// `mass` AVL's mass file beside its derivatives.
+    #[wasm_bindgen(js_name = readFile, unchecked_return_type = "FileReview")]
+    pub fn read_file(
+        name: &str,
+        bytes: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Record<string, string> | undefined")] fills: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | undefined")] mass: Option<Vec<u8>>,
+    ) -> Result<JsValue, JsValue> {
+        let fills = if fills.is_undefined() { "{}".to_owned() } else { written(&fills)? };
+        read(json::read_file(name, bytes, &fills, mass.as_deref()))
     }
 
     /// A request as JSON text.

@@ -36,6 +36,8 @@ export type Analysis = {
   units: Record<string, string>,
   /** Values set on it, SI. */
   set: Record<string, number>,
+  /** What of the link can't be used, in sentences; none without a link. */
+  notices: Array<string>,
   /** Longitudinal motion, x = [u, w, q, θ]; null where the aircraft has no data of it. */
   longitudinal: PlaneOutcome | null,
   /** Lateral–directional motion, x = [v, p, r, φ]. */
@@ -76,11 +78,61 @@ export type Approximation = {
 
 export type ApproximationKey = "short-period-two-states" | "short-period-pitch-only" | "phugoid-lanchester" | "phugoid-two-states" | "phugoid-residualised" | "phugoid-quartic" | "dutch-roll-two-states" | "dutch-roll-yaw-only" | "roll-damping" | "spiral-polynomial" | "spiral-with-gravity" | "spiral-quick";
 
+/** A time through which a limit holds a control back. */
+export type AtLimit = {
+  /** Key of the control. */
+  control: string,
+  /** `deflection` or `rate`. */
+  limit: string,
+  /** From when [s]. */
+  from: number,
+  /** Until when [s]. */
+  until: number,
+};
+
+/** A plane of motion under its law of feedback, with the further states of its source. */
+export type ClosedLoop = {
+  /** Whether a law feeds anything back; otherwise it is the aircraft with the further states of its source. */
+  feedback: boolean,
+  /** Keys of all states: the four of the aircraft, the further ones of its source, and those of the law. */
+  states: Array<string>,
+  /** State matrix of the whole, row by row. */
+  a: Array<Array<number>>,
+  /** All eigenvalues as [real part, imaginary part], each pair with both, in the order of the modes. */
+  eigenvalues: Array<[number, number]>,
+  /** The modes, each conjugate pair once. */
+  modes: Array<LoopMode>,
+  /** `stable`, `neutral` or `unstable`: that of the worst mode. */
+  dynamic_stability: Stability,
+  /** Handling qualities after MIL-F-8785C, where the aircraft has a class. */
+  levels: Array<Level>,
+  /** The loop of each control that the law moves, cut before its actuator, the other one closed. */
+  loops: Array<LoopMargins>,
+  /** How much of each gain that isn't zero the plane needs to be at Level 1, all else as it is; none where the aircraft has no class. */
+  least_gains: Array<LeastGain>,
+};
+
 export type ControlOrGust = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust";
 
 export type CriterionKey = "airspeed-divergence" | "pitch-divergence" | "phugoid" | "short-period-damping" | "short-period-frequency" | "dutch-roll" | "roll-mode" | "spiral" | "coupled-roll-spiral";
 
-export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust" | "turbulence" | "release" | "mode";
+export type Disturbance = "elevator" | "throttle" | "vertical-gust" | "head-gust" | "rudder" | "aileron" | "side-gust" | "turbulence" | "release" | "mode" | "pitch-command" | "speed-command" | "height-command" | "bank-command" | "yaw-rate-command" | "heading-command";
+
+/** A disturbance, and how its motion is shown. */
+export type DisturbanceRequest = {
+  /** `longitudinal` or `lateral`; by default that of the disturbance or of the scene. */
+  plane?: PlaneName,
+  /** Key of the disturbance; by default that of the scene. Its size is a parameter. */
+  disturbance?: Disturbance,
+  /** Its shape in time, of those it can have. */
+  shape?: Shape,
+  /** The mode that is flown alone, by its key or its number, with the disturbance `mode`. */
+  mode?: string,
+  /** Whether the nonlinear flight is drawn too. */
+  nonlinear?: boolean,
+  /** Whether motions over time are split into modes. */
+  split?: boolean,
+};
 
 /** Figures of a motion, from its beginning to where it is no small disturbance any more. Peaks and the time to bank are of the time
  * shown, all others of the whole motion. */
@@ -103,12 +155,46 @@ export type Figures = {
   control_anticipation: number | null,
 };
 
+/** What a file holds and what stands in the way of using it.
+ *
+ * Nothing in it is mended. A remedy is a value for a field, which counts once it is given as one. */
+export type FileReview = {
+  /** Name of the file. */
+  file: string,
+  /** Key of the form that it is in. */
+  format: string,
+  /** The form in words. */
+  format_name: string,
+  /** Title, as the file has it. */
+  title: string,
+  /** What the aircraft is made of: `coefficients`, `derivatives` or `matrices`. */
+  basis: string,
+  /** Each number that was read, in the order of the file. */
+  read: Array<ReadQuantity>,
+  /** Eigenvalues of the matrices that were read, by plane; empty where none were. */
+  eigenvalues: Array<PlaneEigenvalues>,
+  /** What was made of them, a sentence or two each: units, axes, signs turned, states left out, digits lost. */
+  remarks: Array<string>,
+  /** What can be filled in. The aircraft waits for those that are required. */
+  fields: Array<ReviewField>,
+  /** What looks wrong. */
+  doubts: Array<ReviewDoubt>,
+  /** The aircraft as the text of an aircraft file; `None` while something is missing or stops it. */
+  aircraft: string | null,
+};
+
 /** A nonlinear flight in six degrees of freedom. */
 export type Flight = {
   /** Times of its samples [s]: those of the linear motion until it stops, and on where that is cut. */
   time: Array<number>,
   /** Outputs, as changes from the steady flight, in the order of the linear motion's. */
   outputs: Array<Signal>,
+  /** Controls of the plane away from the steady flight, with what a law of feedback moves, at these times. */
+  controls: Array<Signal>,
+  /** Where limits of the controls hold a law back; none without a law. */
+  limits: Array<AtLimit>,
+  /** The same in sentences, one a limit. */
+  limit_sentences: Array<string>,
   /** Early end of the flight; null where it flew to the end. */
   stop: Stop | null,
 };
@@ -127,7 +213,7 @@ export type FrequencyRequest = {
   plane?: PlaneName,
   /** Key of a control or a gust, which disturbs by one channel; by default the plane's first, elevator or rudder. */
   disturbance?: ControlOrGust,
-  /** Key of an output, as a motion names them; by default the pitch rate `q` or the sideslip `beta`. */
+  /** Key of an output, as a motion names them; by default that of the link, else the pitch rate `q` or the sideslip `beta`. */
   output?: string,
   /** First angular frequency [rad/s]; by default below all modes, on a whole decade. */
   from?: number,
@@ -143,6 +229,8 @@ export type FrequencyResponse = {
   aircraft: Aircraft,
   /** Values set on it, SI. */
   set: Record<string, number>,
+  /** What of the link can't be used, in sentences; none without a link. */
+  notices: Array<string>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
   /** Key of the disturbance. */
@@ -161,6 +249,11 @@ export type FrequencyResponse = {
   phase: Array<number>,
   /** Local maxima of the gain in order, with the oscillations that make them; none where a mode grows. */
   peaks: Array<GainPeak>,
+  /** The transfer function in factored form; null where its roots can't be had. */
+  transfer_function: TransferFunction | null,
+  /** Gain and phase under the law of feedback at these frequencies; null where nothing is fed back. All else is of the aircraft
+   * without it. */
+  closed_loop: LoopFrequency | null,
   /** Name of a mode that grows: then no steady oscillation ever answers a sine, and the numbers are only the transfer function
    * at s = jω. Null where every mode stays. */
   growing_mode: string | null,
@@ -190,6 +283,18 @@ export type JudgedValue = {
   unit: string,
 };
 
+/** The least of a gain with which its plane is at Level 1. */
+export type LeastGain = {
+  /** Key of the gain. */
+  gain: string,
+  /** Its SI unit; empty for a ratio. */
+  unit: string,
+  /** The one nearest to zero, of either sign; zero where none is needed, null where none of its slider reaches Level 1. */
+  least: number | null,
+  /** Why none does, in words. */
+  reason: string | null,
+};
+
 /** A level of handling qualities. */
 export type Level = {
   /** The criterion in words. */
@@ -215,6 +320,114 @@ export type Level = {
 };
 
 export type LevelKey = "level-1" | "level-2" | "level-3" | "worse-than-level-3";
+
+/** A scene as a link. */
+export type Link = {
+  /** The link, with its `#` and the address before that if there is one. */
+  link: string,
+  /** What of the link in the request can't be used, in sentences. */
+  notices: Array<string>,
+};
+
+/** An answer over frequency under a law. */
+export type LoopFrequency = {
+  /** Gain |G(jω)|, one a frequency. */
+  gain: Array<number>,
+  /** Phase of G(jω) [rad], one a frequency, between −π and π at the first. */
+  phase: Array<number>,
+  /** The transfer function under the law. */
+  transfer_function: TransferFunction | null,
+};
+
+/** How far a loop is from instability. */
+export type LoopMargins = {
+  /** Key of the control. */
+  control: string,
+  /** Factor above 1 on all gains to it at which it is neutral; null where none is. */
+  raise: number | null,
+  /** Frequency at which it then oscillates [rad/s]. */
+  raise_frequency: number | null,
+  /** Factor below 1 on all gains to it at which it is neutral; null where none is. */
+  lower: number | null,
+  /** Frequency at which it then oscillates [rad/s]; zero where it diverges. */
+  lower_frequency: number | null,
+  /** Lag around the loop [rad] at which it is neutral, negative of a lead: the smallest of all crossovers. */
+  phase_margin: number | null,
+  /** Crossover frequency [rad/s], where the gain around the loop is 1. */
+  crossover: number | null,
+  /** Greatest of |1/(1 + L)|; null where it is above 1 nowhere. */
+  sensitivity_peak: number | null,
+  /** Frequency of that [rad/s]. */
+  sensitivity_frequency: number | null,
+  /** Turns of L around −1, clockwise: growing roots of the closed loop less those of the loop cut. */
+  turns: number | null,
+};
+
+/** A mode under a law: its numbers, its share in the aircraft's states, and in all. */
+export type LoopMode = {
+  /** Share of each state, adding up to 1. */
+  participation_of_all: Array<number>,
+  /** Right eigenvector over all states, of unit length. */
+  eigenvector_of_all: Array<[number, number]>,
+  /** Left eigenvector over all states, of unit length. */
+  left_eigenvector_of_all: Array<[number, number]>,
+  /** Key of the mode. */
+  key: ModeKey,
+  /** Name of the mode. */
+  name: string,
+  /** Why, with numbers. */
+  reason: string,
+  /** Share of the mode in the states that gave it its name, 0 to 1. */
+  confidence: number,
+  /** Real part σ of its eigenvalue. */
+  re: number,
+  /** Imaginary part ω ≥ 0 of its eigenvalue; positive stands for the pair σ ± jω. */
+  im: number,
+  /** `stable`, `neutral` or `unstable`. */
+  stability: Stability,
+  /** ωₙ, of an oscillation. */
+  natural_frequency: number | null,
+  /** ζ, negative when it grows; of an oscillation. */
+  damping_ratio: number | null,
+  /** ω_d, of an oscillation. */
+  damped_frequency: number | null,
+  /** T, of an oscillation. */
+  period: number | null,
+  /** t½, of what dies away. */
+  time_to_half: number | null,
+  /** t₂, of what grows. */
+  time_to_double: number | null,
+  /** Oscillations until the amplitude has halved or doubled. */
+  cycles: number | null,
+  /** τ = −1/λ, of a real mode. */
+  time_constant: number | null,
+  /** Share of each state, adding up to 1. */
+  participation: [number, number, number, number],
+  /** Right eigenvector of unit length, [real, imaginary] of each state. */
+  eigenvector: [[number, number], [number, number], [number, number], [number, number]],
+  /** Left eigenvector l of unit length, lᴴ A = λ lᴴ. */
+  left_eigenvector: [[number, number], [number, number], [number, number], [number, number]],
+  /** Condition number of λ, its greatest movement for a relative change of A: 1 at best, 1e16 at a repeated root. */
+  condition: number,
+};
+
+/** A motion under a law. */
+export type LoopMotion = {
+  /** Outputs at the times of the motion, as far as it goes. */
+  outputs: Array<Signal>,
+  /** What the law moves each control by. */
+  controls: Array<Signal>,
+  /** Figures of the motion under the law; of a step of a command, how it is followed. */
+  metrics: Figures,
+  /** Time [s] of the first sample left out, where the motion had outgrown numbers worth having. */
+  cut_at: number | null,
+};
+
+/** A plane of motion under its law and with its further states, or the reason why it has no analysis. */
+export type LoopOutcome = ClosedLoop | {
+  /** In one sentence. */
+  error: string,
+};
 
 export type MatrixFormat = "json" | "csv" | "m";
 
@@ -252,6 +465,68 @@ export type Measured = {
   /** Its SI unit; empty for a ratio, as the throttle's. */
   unit: string,
 };
+
+/** A message to the page around the frame. */
+export type Message = {
+  /** Version of the protocol. */
+  eigenwing: 1,
+} & ({ "type": "ready",
+/** The whole scene, without the `#`. */
+link: string,
+} | { "type": "height",
+/** The height that shows all of the stage at the present width, and not more [CSS pixels]. */
+height: number,
+} | { "type": "error",
+/** What is wrong with it. */
+sentence: string,
+} | { "type": "scene",
+/** The whole scene, without the `#`. */
+link: string,
+} | { "type": "step-opened",
+/** Its heading. */
+title: string,
+/** The lesson: its key, the path or the name of its file. */
+lesson: string,
+/** The step, counted from 1. */
+step: number,
+/** How many steps the lesson has. */
+steps: number,
+/** How many of them are done: every question has its answer, and every goal is reached. */
+done: number,
+} | { "type": "answered",
+/** The part of the step, counted from 1. */
+part: number,
+/** The answer. */
+answer: unknown,
+/** Whether nothing is wrong with it; null where there is nothing to compare it with. */
+right: boolean | null,
+/** The lesson: its key, the path or the name of its file. */
+lesson: string,
+/** The step, counted from 1. */
+step: number,
+/** How many steps the lesson has. */
+steps: number,
+/** How many of them are done: every question has its answer, and every goal is reached. */
+done: number,
+} | { "type": "goal-reached",
+/** The part of the step, counted from 1. */
+part: number,
+/** Whether no solution had been shown. */
+unaided: boolean,
+/** The scene that reached it, without the `#`. */
+link: string,
+/** The lesson: its key, the path or the name of its file. */
+lesson: string,
+/** The step, counted from 1. */
+step: number,
+/** How many steps the lesson has. */
+steps: number,
+/** How many of them are done: every question has its answer, and every goal is reached. */
+done: number,
+} | { "type": "report",
+/** As a report of the page holds it. */
+records: unknown,
+});
 
 /** A mode. */
 export type Mode = {
@@ -295,7 +570,7 @@ export type Mode = {
   condition: number,
 };
 
-export type ModeKey = "short-period" | "short-period-fast-root" | "short-period-slow-root" | "pitch-subsidence" | "pitch-divergence" | "third-oscillatory" | "phugoid" | "phugoid-fast-root" | "phugoid-slow-root" | "speed-subsidence" | "speed-divergence" | "dutch-roll" | "dutch-roll-more-stable-root" | "dutch-roll-less-stable-root" | "sideslip-subsidence" | "directional-divergence" | "coupled-roll-spiral" | "lateral-oscillation" | "roll-subsidence" | "roll-divergence" | "spiral" | "lateral-subsidence" | "lateral-divergence";
+export type ModeKey = "short-period" | "short-period-fast-root" | "short-period-slow-root" | "pitch-subsidence" | "pitch-divergence" | "third-oscillatory" | "phugoid" | "phugoid-fast-root" | "phugoid-slow-root" | "speed-subsidence" | "speed-divergence" | "dutch-roll" | "dutch-roll-more-stable-root" | "dutch-roll-less-stable-root" | "sideslip-subsidence" | "directional-divergence" | "coupled-roll-spiral" | "lateral-oscillation" | "roll-subsidence" | "roll-divergence" | "spiral" | "lateral-subsidence" | "lateral-divergence" | "height" | "heading" | "position" | "washout" | "elevator-actuator" | "engine" | "aileron-actuator" | "rudder-actuator" | "feedback-oscillation" | "further-state" | "further-oscillation";
 
 /** Frequency and damping, or a real root. */
 export type ModeValue = {
@@ -314,6 +589,8 @@ export type Motion = {
   aircraft: Aircraft,
   /** Values set on it, SI. */
   set: Record<string, number>,
+  /** What of the link can't be used, in sentences; none without a link. */
+  notices: Array<string>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
   /** Key of the disturbance. */
@@ -343,6 +620,8 @@ export type Motion = {
   split: Array<SplitOutcome> | null,
   /** The same without linearising; null where it wasn't asked for. */
   nonlinear: FlightOutcome | null,
+  /** The same linear motion under the law of feedback; null where nothing is fed back. All else is of the aircraft without it. */
+  closed_loop: LoopMotion | null,
 };
 
 /** Metrics of one output, in its SI unit. */
@@ -449,6 +728,21 @@ export type Plane = {
   approximations: Array<Approximation>,
   /** Handling qualities after MIL-F-8785C, where the aircraft has a class. */
   levels: Array<Level>,
+  /** A and B of all states of the source, where it has more than these four; null otherwise. */
+  whole: WholeModel | null,
+  /** The same plane under the law of feedback and with all states of its source; null where nothing is fed back and the source has
+   * four. All else is of the four states without a law. */
+  closed_loop: LoopOutcome | null,
+};
+
+/** Eigenvalues of a plane of motion in a file of matrices. */
+export type PlaneEigenvalues = {
+  /** Key of the plane. */
+  plane: string,
+  /** Real and imaginary part of each [1/s], of the four states. */
+  values: Array<[number, number]>,
+  /** The same with the further states that were kept; empty where there are none. */
+  with_further: Array<[number, number]>,
 };
 
 export type PlaneName = "longitudinal" | "lateral";
@@ -459,6 +753,22 @@ export type PlaneOutcome = Plane | {
   error: string,
 };
 
+/** A number as it stands in the file, and what it was taken for. */
+export type ReadQuantity = {
+  /** Line of the file, counted from 1; 0 where it follows from others. */
+  line: number,
+  /** As it stands there. */
+  text: string,
+  /** Key of the quantity. */
+  key: string,
+  /** The quantity in words. */
+  meaning: string,
+  /** Its value in `unit`. */
+  value: number | null,
+  /** SI unit; degrees for angles of the trim. */
+  unit: string,
+};
+
 /** A disturbance, the number of samples, and the extras that are wanted. */
 export type ResponseRequest = {
   /** `longitudinal` or `lateral`; by default that of the disturbance, and the aircraft's first where it can be both. */
@@ -467,14 +777,66 @@ export type ResponseRequest = {
   disturbance?: Disturbance,
   /** Its shape in time, of those it can have; by default that of the page. */
   shape?: Shape,
-  /** Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name is read, too. */
+  /** Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name and its number are read, too. */
   mode?: string,
   /** Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s. */
   steps?: number,
-  /** Whether the same is flown in six degrees of freedom, without linearising. */
+  /** Whether the same is flown in six degrees of freedom, without linearising; by default only where a link says so. */
   nonlinear?: boolean,
-  /** Whether each output is split into the parts of the modes. */
+  /** Whether each output is split into the parts of the modes; likewise. */
   split?: boolean,
+};
+
+/** A value of a field. */
+export type ReviewChoice = {
+  /** The value. */
+  key: string,
+  /** The value in words. */
+  words: string,
+};
+
+/** Something that looks wrong. */
+export type ReviewDoubt = {
+  /** Its key. */
+  key: string,
+  /** Whether the aircraft can be used all the same. */
+  stops: boolean,
+  /** A sentence with the numbers that show it. */
+  sentence: string,
+  /** Values that mend it, where it is certain what is wrong. */
+  remedy: Array<ReviewRemedy>,
+};
+
+/** Something that a person can fill in. */
+export type ReviewField = {
+  /** Its key, by which a value is given. */
+  key: string,
+  /** What it is. */
+  meaning: string,
+  /** Unit of its number; empty for a choice or a text. */
+  unit: string,
+  /** Least plausible value. */
+  low: number | null,
+  /** Greatest plausible value. */
+  high: number | null,
+  /** The values that it can have, where they are few. */
+  choices: Array<ReviewChoice>,
+  /** A value that is likely. */
+  suggested: string | null,
+  /** Why that one. */
+  reason: string | null,
+  /** The value that is used at present. */
+  value: string | null,
+  /** Whether the aircraft waits for it. */
+  required: boolean,
+};
+
+/** A field and the value that mends something. */
+export type ReviewRemedy = {
+  /** Key of the field. */
+  key: string,
+  /** The value. */
+  value: string,
 };
 
 export type Shape = "step" | "pulse" | "doublet" | "3-2-1-1" | "sine" | "sweep" | "1-cosine";
@@ -546,11 +908,13 @@ export type Stop = {
   sentence: string,
 };
 
-/** Which aircraft, and what is set on it: one of `aircraft`, `toml` and `matrices`. */
+/** Which aircraft, and what is set on it: one of `aircraft`, `link`, `toml` and `matrices`, or a link with the `toml` that it names. */
 export type Subject = {
   /** Key of an aircraft of the list, such as `navion`. */
   aircraft?: string,
-  /** Text of an aircraft file. */
+  /** Link to a scene, with or without its `#` and the address before that; what else the request says counts above it. */
+  link?: string,
+  /** Text of an aircraft file; beside a link that of the aircraft which the link names by its key, where it is too long for it. */
   toml?: string,
   /** Text of bare matrices A and B with named states. */
   matrices?: string,
@@ -560,7 +924,7 @@ export type Subject = {
   file?: string,
   /** Values by the keys of the parameters [SI, radians]. */
   set?: { [key in string]: number },
-  /** Class of aircraft that levels are judged for; that of the aircraft's file without one. */
+  /** Class of aircraft that levels are judged for; that of the link or of the aircraft's file without one. */
   class?: AircraftClass,
   /** Category of flight phase that levels are judged for. */
   category?: FlightPhase,
@@ -574,6 +938,8 @@ export type Sweep = {
   units: Record<string, string>,
   /** Other values set on it, SI. */
   set: Record<string, number>,
+  /** What of the link can't be used, in sentences; none without a link. */
+  notices: Array<string>,
   /** Key of the parameter. */
   parameter: string,
   /** Its SI unit: that of `value`, `between` and `at`. */
@@ -660,6 +1026,34 @@ export type SweepRequest = {
   measures?: Array<string>,
 };
 
+/** What was taken along. */
+export type TakenAlong = {
+  /** The text. */
+  text: string,
+  /** A name for its file. */
+  file: string,
+  /** Its media type. */
+  media_type: string,
+  /** What of the link can't be used, and what of the scene has no place in it, in sentences. */
+  notices: Array<string>,
+};
+
+export type Target = "python" | "notebook" | "matlab" | "latex" | "toml" | "json" | "jsbsim" | "derivatives" | "poles" | "modes" | "response" | "metrics" | "frequency" | "chart" | "levels" | "poles-figure" | "response-figure" | "frequency-figure" | "chart-figure" | "aircraft-figure" | "page";
+
+/** A transfer function K ∏(s − z) / ∏(s − p). */
+export type TransferFunction = {
+  /** K, in units of the gain and of s; zero where the input doesn't reach the output. */
+  gain: number,
+  /** Zeros as [real part, imaginary part], each pair with both. */
+  zeros: Array<[number, number]>,
+  /** Poles likewise, those of the path over the Earth among them. */
+  poles: Array<[number, number]>,
+  /** The whole in factors, in SI: `−3 s (s + 0.2) / [(s² + 2·0.1·0.2 s + 0.2²) (s + 4)]`. */
+  text: string,
+  /** What zeros in the right half-plane do, in one sentence; null where there are none. */
+  zeros_on_the_right: string | null,
+};
+
 /** A steady flight. */
 export type Trim = {
   /** True airspeed V. */
@@ -670,4 +1064,14 @@ export type Trim = {
   gamma0: number,
   /** Acceleration of free fall. */
   gravity: number,
+};
+
+/** A model with states beside the four, or under a law of feedback. */
+export type WholeModel = {
+  /** Keys of the states, the four first: `h`, `x`, `psi`, `y`, `elevator` and other controls, `engine`, `other`. */
+  states: Array<string>,
+  /** State matrix, row by row. */
+  a: Array<Array<number>>,
+  /** Input matrix, row by row: a control that is a state is commanded. */
+  b: Array<[number, number]>,
 };

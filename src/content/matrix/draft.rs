@@ -10,25 +10,29 @@ use crate::flight::aircraft::aircraft_model::{AircraftModel, MatrixModel};
 use crate::flight::aircraft::plane::{ByPlane, Plane, PlaneModel, Trim};
 use crate::flight::aircraft::states::{Lateral, entry};
 use crate::flight::analysis::STANDARD_GRAVITY;
+use crate::flight::motion::control_limits::NamedLimits;
 use crate::number::significant;
 
 /// A line, counted from 1, and what is wrong there.
-pub(super) type Problem = (usize, String);
+pub(in crate::content) type Problem = (usize, String);
 
 /// Something and the line on which it stands.
 #[derive(Clone, Debug)]
-pub(super) struct At<T> {
+pub(in crate::content) struct At<T> {
     pub line: usize,
     pub value: T,
 }
 
+/// Rows of numbers, each with its line.
+pub(in crate::content) type Rows = Vec<At<Vec<f64>>>;
+
 /// Value of a setting: the text after its name.
 #[derive(Clone, Debug)]
-pub(super) enum Entry {
+pub(in crate::content) enum Entry {
     Number(f64),
     Text(String),
     Names(Vec<String>),
-    Rows(Vec<At<Vec<f64>>>),
+    Rows(Rows),
 }
 
 impl Entry {
@@ -43,17 +47,21 @@ impl Entry {
 }
 
 /// A file as it was read, before anything is checked.
-#[derive(Debug, Default)]
-pub(super) struct Draft {
+#[derive(Clone, Debug, Default)]
+pub(in crate::content) struct Draft {
     entries: Vec<(&'static str, At<Entry>)>,
+    /// Matrices under names that mean nothing here, as `F = [ … ]`.
+    pub strangers: Vec<(String, At<Rows>)>,
+    /// What a reader of the matrices must know, such as digits that were not printed.
+    pub remarks: Vec<String>,
 }
 
 /// Every setting by each name that a file may give it.
 const KEYS: [(&str, &[&str]); 10] = [
     ("units", &["units"]),
     ("angles", &["angles"]),
-    ("speed", &["speed", "V", "V0"]),
-    ("u0", &["u0", "U0"]),
+    ("speed", &["speed", "V", "V0", "V_0", "velocity", "airspeed", "TAS"]),
+    ("u0", &["u0", "U0", "u_0", "U_0"]),
     ("alpha0_deg", &["alpha0_deg"]),
     ("gamma0_deg", &["gamma0_deg"]),
     ("states", &["states"]),
@@ -68,13 +76,23 @@ pub(super) fn setting_in_comment(comment: &str) -> Option<(&'static str, Entry)>
     let (key, value) = (setting(name.trim())?, value.trim());
     let entry = match key {
         "A" | "B" => return None,
-        "speed" | "u0" | "alpha0_deg" | "gamma0_deg" => Entry::Number(value.parse().ok()?),
+        "speed" | "u0" | "alpha0_deg" | "gamma0_deg" => Entry::Number(number(value)?),
         "states" | "inputs" => Entry::Names(
             value.split([' ', ',', ';', '\t']).filter(|name| !name.is_empty()).map(str::to_owned).collect(),
         ),
         _ => Entry::Text(value.to_owned()),
     };
     Some((key, entry))
+}
+
+/// A number as people and programs write it: with a point, `1.5D-02` of Fortran, `+.5`; U+2212 was turned into a hyphen before.
+pub(in crate::content) fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    // "inf", "nan" and "infinity" are words.
+    if !text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')) {
+        return None;
+    }
+    text.parse().ok().or_else(|| text.replace(['D', 'd'], "e").parse().ok())
 }
 
 /// The setting that goes by this name; `name` itself is one, too.
@@ -100,11 +118,19 @@ impl Draft {
         self.find(key).is_some()
     }
 
-    fn find(&self, key: &str) -> Option<&At<Entry>> {
+    /// Notes a setting in place of whatever was said before.
+    pub fn replace(&mut self, key: &'static str, line: usize, value: Entry) {
+        self.entries.retain(|(name, _)| *name != key);
+        self.entries.push((key, At { line, value }));
+    }
+
+    /// A setting, with its line.
+    pub fn find(&self, key: &str) -> Option<&At<Entry>> {
         self.entries.iter().find(|(name, _)| *name == key).map(|(_, entry)| entry)
     }
 
-    fn number(&self, key: &str) -> Result<Option<At<f64>>, Problem> {
+    /// A setting that is a finite number.
+    pub fn number(&self, key: &str) -> Result<Option<At<f64>>, Problem> {
         let Some(At { line, value }) = self.find(key) else { return Ok(None) };
         match value {
             Entry::Number(x) if x.is_finite() => Ok(Some(At { line: *line, value: *x })),
@@ -113,7 +139,8 @@ impl Draft {
         }
     }
 
-    fn text(&self, key: &str) -> Result<Option<At<&str>>, Problem> {
+    /// A setting that is a text.
+    pub fn text(&self, key: &str) -> Result<Option<At<&str>>, Problem> {
         let Some(At { line, value }) = self.find(key) else { return Ok(None) };
         match value {
             Entry::Text(text) => Ok(Some(At { line: *line, value: text })),
@@ -121,7 +148,8 @@ impl Draft {
         }
     }
 
-    fn names(&self, key: &str) -> Result<Option<At<&[String]>>, Problem> {
+    /// A setting that is a list of names.
+    pub fn names(&self, key: &str) -> Result<Option<At<&[String]>>, Problem> {
         let Some(At { line, value }) = self.find(key) else { return Ok(None) };
         match value {
             Entry::Names(names) => Ok(Some(At { line: *line, value: names })),
@@ -156,7 +184,24 @@ impl Draft {
     }
 
     /// The aircraft, in SI and in the order of our state vectors.
-    pub fn into_aircraft(self, file: &str) -> Result<Aircraft, Problem> {
+    pub(super) fn into_aircraft(self, file: &str) -> Result<Aircraft, Problem> {
+        let model = self.model()?;
+        let (plane, speed) = (model.plane, model.trim.speed);
+        let doubts = if plane == Plane::Lateral { lateral_doubts(&model) } else { Vec::new() };
+        let mut models = MatrixModel::default();
+        models[plane] = Some(model);
+        let aircraft_model = AircraftModel::Matrices(models);
+        let line = self.find("A").map_or(1, |entry| entry.line);
+        let models = aircraft_model.models().map_err(|problem| (line, problem.to_string()))?;
+        if let Some(problem) = models.problems.first() {
+            return Err((line, format!("A: {problem}")));
+        }
+        let name = self.text("name")?.map_or(file, |name| name.value);
+        Ok(Aircraft { notes: doubts, ..aircraft(file, name, plane, aircraft_model, speed) })
+    }
+
+    /// The model of one plane of motion, in SI and in the order of its state vector: of four states and at most two inputs.
+    pub fn model(&self) -> Result<PlaneModel, Problem> {
         let length = self.units()?.length();
         let angle = self.angle()?;
         let states = self.states()?;
@@ -190,18 +235,7 @@ impl Draft {
             }
         }
         self.check_kinematics(plane, &a)?;
-        let model = PlaneModel { plane, a, b, trim };
-        let doubts = if plane == Plane::Lateral { lateral_doubts(&model) } else { Vec::new() };
-        let mut models = MatrixModel::default();
-        models[plane] = Some(model);
-        let aircraft_model = AircraftModel::Matrices(models);
-        let line = self.find("A").map_or(1, |entry| entry.line);
-        let models = aircraft_model.models().map_err(|problem| (line, problem.to_string()))?;
-        if let Some(problem) = models.problems.first() {
-            return Err((line, format!("A: {problem}")));
-        }
-        let name = self.text("name")?.map_or(file, |name| name.value);
-        Ok(Aircraft { notes: doubts, ..aircraft(file, name, plane, aircraft_model, trim.speed) })
+        Ok(PlaneModel { plane, a, b, trim, further: None })
     }
 
     fn units(&self) -> Result<UnitSystem, Problem> {
@@ -219,8 +253,10 @@ impl Draft {
             None => Ok(1.0),
             Some(At { value: "rad", .. }) => Ok(1.0),
             Some(At { value: "deg", .. }) => Ok(1_f64.to_radians()),
+            // Books of control engineering count angles in hundredths of a radian.
+            Some(At { value: "crad", .. }) => Ok(0.01),
             Some(At { line, value }) => {
-                Err((line, format!("angles: expected \"rad\" or \"deg\", found \"{value}\"")))
+                Err((line, format!("angles: expected \"rad\", \"deg\" or \"crad\", found \"{value}\"")))
             }
         }
     }
@@ -383,6 +419,7 @@ fn aircraft(file: &str, name: &str, plane: Plane, aircraft_model: AircraftModel,
     });
     Aircraft {
         key: "file".to_owned(),
+        own: None,
         name: name.to_owned(),
         condition: "Bare matrices".to_owned(),
         shape: USUAL_SHAPE,
@@ -394,6 +431,7 @@ fn aircraft(file: &str, name: &str, plane: Plane, aircraft_model: AircraftModel,
         plane_notes,
         status_reason,
         particulars: Particulars { speed: Some(speed), ..Particulars::default() },
+        limits: NamedLimits::default(),
         task: None,
         notes: Vec::new(),
     }

@@ -1,7 +1,32 @@
-//! Matrices as CSV: settings, a row of names, a row of numbers for each state.
+//! Matrices as CSV: settings, a row of names, a row of numbers for each state. Cells are parted by commas, semicolons or tabs; where
+//! it isn't by commas, a comma is a decimal comma.
 
-use super::draft::{At, Draft, Entry, Problem, setting, setting_in_comment};
-use super::names;
+use super::draft::{At, Draft, Entry, Problem, number, setting, setting_in_comment};
+use super::state_names;
+
+/// What stands between cells.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::content) struct Separator(u8);
+
+impl Separator {
+    /// The one that parts most lines.
+    fn of(text: &str) -> Self {
+        let lines = |separator: char| text.lines().filter(|line| line.contains(separator)).count();
+        Self(if lines(';') > lines(',') / 2 && lines(';') >= lines('\t') && lines(';') > 0 {
+            b';'
+        } else if lines('\t') > lines(',') / 2 {
+            b'\t'
+        } else {
+            b','
+        })
+    }
+
+    /// The number in a cell.
+    fn number(self, cell: &str) -> Option<f64> {
+        let plain = |cell: &str| cell.parse().ok().or_else(|| number(cell));
+        plain(cell).or_else(|| (self.0 != b',').then(|| plain(&cell.replace(',', ".")))?)
+    }
+}
 
 /// The names in the head of the table.
 struct Head {
@@ -11,20 +36,30 @@ struct Head {
     inputs: Vec<String>,
 }
 
-pub(super) fn read(text: &str) -> Result<Draft, Problem> {
+pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
+    let separator = Separator::of(text);
     let mut draft = Draft::default();
     let mut head: Option<Head> = None;
     let (mut a, mut b) = (Vec::new(), Vec::new());
     // Line by line, so that every complaint has its line.
     for (line, text) in (1..).zip(text.lines()) {
-        let cells = cells(line, text)?;
+        let cells = cells(separator, line, text)?;
         if cells.iter().all(String::is_empty) {
             continue;
         }
         let Some(head) = &head else {
-            match read_setting(&cells, text) {
+            match read_setting(separator, &cells, text) {
                 Some((key, entry)) => draft.set(key, line, entry)?,
                 None if text.trim_start().starts_with('#') => {}
+                None if cells.iter().filter(|cell| !cell.is_empty()).count() < 3 => {
+                    let found = cells.iter().find(|cell| !cell.is_empty()).map_or("", String::as_str);
+                    return Err((
+                        line,
+                        format!(
+                            "expected a setting such as units or speed, or the names of the states, found \"{found}\""
+                        ),
+                    ));
+                }
                 None => head = Some(read_head(&mut draft, line, cells)?),
             }
             continue;
@@ -32,7 +67,7 @@ pub(super) fn read(text: &str) -> Result<Draft, Problem> {
         if text.trim_start().starts_with('#') {
             continue;
         }
-        let numbers = row(head, a.len(), line, &cells)?;
+        let numbers = row(separator, head, a.len(), line, &cells)?;
         let (of_a, of_b) = numbers.split_at(head.states.len().min(numbers.len()));
         a.push(At { line, value: of_a.to_vec() });
         b.push(At { line, value: of_b.to_vec() });
@@ -49,9 +84,12 @@ pub(super) fn read(text: &str) -> Result<Draft, Problem> {
 }
 
 /// The cells of one line.
-fn cells(line: usize, text: &str) -> Result<Vec<String>, Problem> {
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).trim(csv::Trim::All).from_reader(text.as_bytes());
+fn cells(separator: Separator, line: usize, text: &str) -> Result<Vec<String>, Problem> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .delimiter(separator.0)
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
     match reader.records().next() {
         None => Ok(Vec::new()),
         Some(Ok(record)) => Ok(record.iter().map(str::to_owned).collect()),
@@ -60,16 +98,17 @@ fn cells(line: usize, text: &str) -> Result<Vec<String>, Problem> {
 }
 
 /// `units,SI`, or the same as a comment, `# units: SI`.
-fn read_setting(cells: &[String], text: &str) -> Option<(&'static str, Entry)> {
+fn read_setting(separator: Separator, cells: &[String], text: &str) -> Option<(&'static str, Entry)> {
     if let Some(comment) = text.trim_start().strip_prefix('#') {
-        return setting_in_comment(comment.trim_end_matches([',', ' '])).filter(|(key, _)| !is_of_table(key));
+        return setting_in_comment(comment.trim_end_matches([',', ';', '\t', ' ']))
+            .filter(|(key, _)| !is_of_table(key));
     }
     // More cells are the head of the table, in which "V" would be the sideslip.
     if !cells.iter().skip(2).all(String::is_empty) {
         return None;
     }
     let (key, value) = (setting(cells.first()?)?, cells.get(1)?);
-    let entry = value.parse().map_or_else(|_| Entry::Text(value.clone()), Entry::Number);
+    let entry = separator.number(value).map_or_else(|| Entry::Text(value.clone()), Entry::Number);
     (!is_of_table(key)).then_some((key, entry))
 }
 
@@ -80,13 +119,15 @@ fn is_of_table(key: &str) -> bool {
 
 /// The first cell is the name of a state, or stands above the names of the rows and means nothing.
 fn read_head(draft: &mut Draft, line: usize, cells: Vec<String>) -> Result<Head, Problem> {
-    let is_labelled = names::state(&cells[0]).is_none();
+    let is_labelled = !state_names::is_known(&cells[0]);
     let mut named: Vec<String> = cells.into_iter().skip(usize::from(is_labelled)).collect();
     // Spreadsheets leave empty cells at the end.
     while named.last().is_some_and(String::is_empty) {
         named.pop();
     }
-    let inputs = named.split_off(4.min(named.len()));
+    // Heights, headings and lags may stand behind the four.
+    let further = named.iter().skip(4).take_while(|name| state_names::is_further(name)).count();
+    let inputs = named.split_off((4 + further).min(named.len()));
     draft.set("states", line, Entry::Names(named.clone()))?;
     if !inputs.is_empty() {
         draft.set("inputs", line, Entry::Names(inputs.clone()))?;
@@ -95,7 +136,13 @@ fn read_head(draft: &mut Draft, line: usize, cells: Vec<String>) -> Result<Head,
 }
 
 /// The numbers of row k.
-fn row(head: &Head, k: usize, line: usize, cells: &[String]) -> Result<Vec<f64>, Problem> {
+fn row(
+    separator: Separator,
+    head: &Head,
+    k: usize,
+    line: usize,
+    cells: &[String],
+) -> Result<Vec<f64>, Problem> {
     let mut cells = cells;
     if head.is_labelled {
         let label = cells.first().map_or("", String::as_str);
@@ -117,7 +164,8 @@ fn row(head: &Head, k: usize, line: usize, cells: &[String]) -> Result<Vec<f64>,
         let problem = format!("expected {wanted} numbers, one a state and input, found {}", cells.len());
         return Err((line, problem));
     }
-    let number =
-        |cell: &String| cell.parse().map_err(|_| (line, format!("expected a number, found \"{cell}\"")));
+    let number = |cell: &String| {
+        separator.number(cell).ok_or_else(|| (line, format!("expected a number, found \"{cell}\"")))
+    };
     cells.iter().map(number).collect()
 }

@@ -24,7 +24,7 @@ struct Form {
     b: Option<Vec<Vec<f64>>>,
 }
 
-pub(super) fn read(text: &str) -> Result<Draft, Problem> {
+pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
     let form: Form = serde_json::from_str(text).map_err(|error| (error.line().max(1), said_by(&error)))?;
     let line = |key: &str| {
         let quoted = format!("\"{key}\"");

@@ -5,7 +5,7 @@
 //! | key | meaning |
 //! |---|---|
 //! | `units` | `"SI"` (metres) or `"ft-slug-s"` (feet); time is in seconds |
-//! | \[`angles`\] | `"rad"`, which is also meant where it is missing, or `"deg"`: of every angle, rate, elevator, aileron and rudder |
+//! | \[`angles`\] | `"rad"`, which is also meant where it is missing, `"deg"` or `"crad"`, a hundredth of a radian: of every angle, rate, elevator, aileron and rudder |
 //! | `speed` (`V`) or `u0` (`U0`) | true airspeed, or its part along the *x* axis, in the unit of length over seconds |
 //! | \[`alpha0_deg`, `gamma0_deg`\] | trim angle of attack of the *x* axis and flight-path angle, zero where missing |
 //! | `states` | four names in the order of the file: *u*, *w* or α, *q*, θ; or *v* or β, *p*, *r*, φ |
@@ -15,13 +15,16 @@
 //!
 //! An exact similarity turns the matrices read into the order, units and states of [`crate::flight`].
 
-mod draft;
-mod form_csv;
-mod form_json;
-mod form_matlab;
-mod names;
+pub(super) mod draft;
+pub(super) mod form_bare;
+pub(super) mod form_csv;
+pub(super) mod form_json;
+pub(super) mod form_matlab;
+pub(super) mod names;
+pub(super) mod state_names;
 
 use super::aircraft::{Aircraft, ContentError};
+use draft::{Draft, Problem};
 
 /// A form in which matrices are written down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,15 +52,27 @@ impl MatrixFormat {
 }
 
 /// The text with U+2212, a true minus sign as this program prints it, as the hyphen that number readers know; elsewhere than before
-/// a number it stays.
-fn plain_signs(text: &str) -> String {
+/// a number it stays. So it is with the dash that word processors make of a hyphen, unless it stands between two numbers.
+pub(super) fn plain_signs(text: &str) -> String {
     let mut rest = text.chars().peekable();
     let mut plain = String::with_capacity(text.len());
+    let mut before = ' ';
     while let Some(c) = rest.next() {
-        let signs = c == '−' && rest.peek().is_some_and(|next| next.is_ascii_digit() || *next == '.');
+        let is_sign = c == '−' || (c == '–' && !before.is_alphanumeric());
+        let signs = is_sign && rest.peek().is_some_and(|next| next.is_ascii_digit() || *next == '.');
         plain.push(if signs { '-' } else { c });
+        before = c;
     }
     plain
+}
+
+/// A text without a matrix A says so before anything else is asked of it.
+fn with_a(draft: Draft) -> Result<Draft, Problem> {
+    if draft.has("A") {
+        Ok(draft)
+    } else {
+        Err((1, "A: missing; expected a line that begins with \"A = [\"".to_owned()))
+    }
 }
 
 impl Aircraft {
@@ -72,7 +87,7 @@ impl Aircraft {
         let draft = match format {
             MatrixFormat::Json => form_json::read(text),
             MatrixFormat::Csv => form_csv::read(text),
-            MatrixFormat::Matlab => form_matlab::read(text),
+            MatrixFormat::Matlab => form_matlab::read(text).and_then(with_a),
         };
         draft.and_then(|draft| draft.into_aircraft(file)).map_err(problem)
     }

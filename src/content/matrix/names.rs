@@ -5,7 +5,7 @@ use crate::flight::aircraft::states::{Lateral, Longitudinal};
 
 /// Dimension of a state, which says how it becomes SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(in crate::content) enum Kind {
     /// A velocity: u, w, v.
     Velocity,
     /// α or β in place of w or v: w = U₀ α, v = V β.
@@ -16,7 +16,7 @@ pub(super) enum Kind {
 
 /// A state by one of its names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct State {
+pub(in crate::content) struct State {
     pub plane: Plane,
     /// Its place in the state vector.
     pub index: usize,
@@ -25,7 +25,7 @@ pub(super) struct State {
 
 /// An input by one of its names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Input {
+pub(in crate::content) struct Input {
     pub plane: Plane,
     /// Its column of B.
     pub column: usize,
@@ -33,11 +33,11 @@ pub(super) struct Input {
     pub is_angle: bool,
 }
 
-pub(super) const STATES_EXPECTED: &str = "u, w (or alpha), q, theta, or v (or beta), p, r, phi";
-pub(super) const INPUTS_EXPECTED: &str = "elevator and throttle, or aileron and rudder";
+pub(in crate::content) const STATES_EXPECTED: &str = "u, w (or alpha), q, theta, or v (or beta), p, r, phi";
+pub(in crate::content) const INPUTS_EXPECTED: &str = "elevator and throttle, or aileron and rudder";
 
 /// The state of this name.
-pub(super) fn state(name: &str) -> Option<State> {
+pub(in crate::content) fn state(name: &str) -> Option<State> {
     use Kind::{Angle, FlowAngle, Velocity};
     let longitudinal =
         |state: Longitudinal, kind| State { plane: Plane::Longitudinal, index: state.index(), kind };
@@ -58,7 +58,7 @@ pub(super) fn state(name: &str) -> Option<State> {
 }
 
 /// The input of this name.
-pub(super) fn input(name: &str) -> Option<Input> {
+pub(in crate::content) fn input(name: &str) -> Option<Input> {
     let (plane, column, is_angle) = match plain(name).as_str() {
         "elevator" | "de" | "delta_e" | "δe" | "δ_e" => (Plane::Longitudinal, 0, true),
         "throttle" | "dt" | "delta_t" | "δt" | "δ_t" => (Plane::Longitudinal, 1, false),

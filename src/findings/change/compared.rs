@@ -8,7 +8,7 @@ use crate::flight::aircraft::states::Lateral::{Phi, V};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::second_order::{DUTCH_ROLL, second_order};
-use crate::scenario::{Parameter, Scenario, parameters};
+use crate::scenario::{Page, Parameter, Scenario, parameters};
 
 /// A change of ωₙ or of a root by less than this fraction is none.
 const STILL: f64 = 0.01;
@@ -158,8 +158,11 @@ pub fn reference_of(scenario: &Scenario) -> Scenario {
 
 /// What a person has moved.
 fn edits(from: &Scenario, to: &Scenario) -> Vec<Moved> {
-    let shown =
-        |p: &&Parameter| p.page.is_some() && p.plane.is_none_or(|plane| plane == to.plane) && p.applies(to);
+    let shown = |p: &&Parameter| {
+        p.page.is_some_and(|page| page != Page::Feedback)
+            && p.plane.is_none_or(|plane| plane == to.plane)
+            && p.applies(to)
+    };
     let moved = |p: &'static Parameter| {
         let differs = match (p.added(from), p.added(to)) {
             (Some(before), Some(after)) => before != after,

@@ -269,6 +269,8 @@ fn moved_parameter(p: &'static Parameter, from: &Scenario, to: &Scenario) -> Opt
         Page::Coefficients => 0.0,
         Page::Dimensional => after - before,
         Page::Matrix => p.added(to)? - p.added(from)?,
+        // A law leaves the aircraft's own modes where they are.
+        Page::Feedback => return None,
     };
     let moved = Moved { key: p.key, from: before, to: after };
     (change != 0.0).then_some(Mover { moved, change, of: Of::Parameter(p) })

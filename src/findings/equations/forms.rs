@@ -6,7 +6,7 @@
 
 use crate::flight::aircraft::aircraft_model::DerivativeModel;
 use crate::flight::aircraft::plane::Plane;
-use crate::scenario::{Parameter, Scenario};
+use crate::scenario::{Convention, Notation, Parameter, Scenario};
 
 /// A number that entries are made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,8 @@ pub enum Atom {
     U0,
     /// W₀ = V sin α₀.
     W0,
+    /// V, by which w and v are divided to give α and β.
+    Speed,
     /// g.
     Gravity,
     /// cos θ₀.
@@ -54,39 +56,56 @@ pub enum Form {
     Quotient(&'static Form, &'static Form),
 }
 
-use Atom::{CosPitch, Coupling, Gravity, Heave, RollProduct, SinPitch, TanPitch, U0, W0, YawProduct};
+use Atom::{CosPitch, Coupling, Gravity, Heave, RollProduct, SinPitch, Speed, TanPitch, U0, W0, YawProduct};
 use Form::{Minus, Of, Product, Quotient, Sum, Whole};
 
 const fn d(key: &'static str) -> Form {
     Of(Atom::Derivative(key))
 }
 
+const V: Form = Of(Speed);
 const D: Form = Of(Heave);
+/// V D
+const VD: Form = Product(&[V, D]);
 const M_WDOT: Form = d("m_wdot");
 const WEIGHT_ALONG: Form = Product(&[Of(Gravity), Of(CosPitch)]);
 const WEIGHT_ACROSS: Form = Product(&[Of(Gravity), Of(SinPitch)]);
 
-/// Rows of the longitudinal A and B: u̇, ẇ, q̇, θ̇ of u, w, q, θ, δe, δt.
-const LONGITUDINAL: [[Form; 6]; 4] = [
-    [d("x_u"), d("x_w"), Sum(&[d("x_q"), Minus(&Of(W0))]), Minus(&WEIGHT_ALONG), d("x_de"), d("x_dt")],
-    [
-        Quotient(&d("z_u"), &D),
-        Quotient(&d("z_w"), &D),
-        Quotient(&Sum(&[Of(U0), d("z_q")]), &D),
-        Minus(&Quotient(&WEIGHT_ACROSS, &D)),
-        Quotient(&d("z_de"), &D),
-        Quotient(&d("z_dt"), &D),
-    ],
-    [
-        Sum(&[d("m_u"), Quotient(&Product(&[M_WDOT, d("z_u")]), &D)]),
-        Sum(&[d("m_w"), Quotient(&Product(&[M_WDOT, d("z_w")]), &D)]),
-        Sum(&[d("m_q"), Quotient(&Product(&[M_WDOT, Sum(&[Of(U0), d("z_q")])]), &D)]),
-        Minus(&Quotient(&Product(&[M_WDOT, WEIGHT_ACROSS]), &D)),
-        Sum(&[d("m_de"), Quotient(&Product(&[M_WDOT, d("z_de")]), &D)]),
-        Sum(&[d("m_dt"), Quotient(&Product(&[M_WDOT, d("z_dt")]), &D)]),
-    ],
-    [Whole(0), Whole(0), Whole(1), Whole(0), Whole(0), Whole(0)],
-];
+/// Rows of the longitudinal A and B: u̇, ẇ, q̇, θ̇ of u, w, q, θ, δe, δt. `$over` is what the z equation is divided by: D, and of α̇ V D.
+macro_rules! longitudinal {
+    ($over:ident) => {
+        [
+            [
+                d("x_u"),
+                d("x_w"),
+                Sum(&[d("x_q"), Minus(&Of(W0))]),
+                Minus(&WEIGHT_ALONG),
+                d("x_de"),
+                d("x_dt"),
+            ],
+            [
+                Quotient(&d("z_u"), &$over),
+                Quotient(&d("z_w"), &$over),
+                Quotient(&Sum(&[Of(U0), d("z_q")]), &$over),
+                Minus(&Quotient(&WEIGHT_ACROSS, &$over)),
+                Quotient(&d("z_de"), &$over),
+                Quotient(&d("z_dt"), &$over),
+            ],
+            [
+                Sum(&[d("m_u"), Quotient(&Product(&[M_WDOT, d("z_u")]), &$over)]),
+                Sum(&[d("m_w"), Quotient(&Product(&[M_WDOT, d("z_w")]), &$over)]),
+                Sum(&[d("m_q"), Quotient(&Product(&[M_WDOT, Sum(&[Of(U0), d("z_q")])]), &$over)]),
+                Minus(&Quotient(&Product(&[M_WDOT, WEIGHT_ACROSS]), &$over)),
+                Sum(&[d("m_de"), Quotient(&Product(&[M_WDOT, d("z_de")]), &$over)]),
+                Sum(&[d("m_dt"), Quotient(&Product(&[M_WDOT, d("z_dt")]), &$over)]),
+            ],
+            [Whole(0), Whole(0), Whole(1), Whole(0), Whole(0), Whole(0)],
+        ]
+    };
+}
+
+const LONGITUDINAL: [[Form; 6]; 4] = longitudinal!(D);
+const LONGITUDINAL_IN_ANGLES: [[Form; 6]; 4] = longitudinal!(VD);
 
 /// L′ = (L + (Ixz/Ix) N) G.
 macro_rules! rolling {
@@ -102,51 +121,74 @@ macro_rules! yawing {
     };
 }
 
+/// v̇ of v, p, r, φ, δa, δr.
+const SIDEWAYS: [Form; 6] = [
+    d("y_v"),
+    Sum(&[d("y_p"), Of(W0)]),
+    Sum(&[d("y_r"), Minus(&Of(U0))]),
+    WEIGHT_ALONG,
+    d("y_da"),
+    d("y_dr"),
+];
+
+const ROLLING: [Form; 6] = [
+    rolling!("l_v", "n_v"),
+    rolling!("l_p", "n_p"),
+    rolling!("l_r", "n_r"),
+    Whole(0),
+    rolling!("l_da", "n_da"),
+    rolling!("l_dr", "n_dr"),
+];
+
+const YAWING: [Form; 6] = [
+    yawing!("l_v", "n_v"),
+    yawing!("l_p", "n_p"),
+    yawing!("l_r", "n_r"),
+    Whole(0),
+    yawing!("l_da", "n_da"),
+    yawing!("l_dr", "n_dr"),
+];
+
+const BANKING: [Form; 6] = [Whole(0), Whole(1), Of(TanPitch), Whole(0), Whole(0), Whole(0)];
+
 /// Rows of the lateral A and B: v̇, ṗ, ṙ, φ̇ of v, p, r, φ, δa, δr.
-const LATERAL: [[Form; 6]; 4] = [
+const LATERAL: [[Form; 6]; 4] = [SIDEWAYS, ROLLING, YAWING, BANKING];
+/// The same of β, whose rate is v̇ over V.
+const LATERAL_IN_ANGLES: [[Form; 6]; 4] = [
     [
-        d("y_v"),
-        Sum(&[d("y_p"), Of(W0)]),
-        Sum(&[d("y_r"), Minus(&Of(U0))]),
-        WEIGHT_ALONG,
-        d("y_da"),
-        d("y_dr"),
+        Quotient(&SIDEWAYS[0], &V),
+        Quotient(&SIDEWAYS[1], &V),
+        Quotient(&SIDEWAYS[2], &V),
+        Quotient(&SIDEWAYS[3], &V),
+        Quotient(&SIDEWAYS[4], &V),
+        Quotient(&SIDEWAYS[5], &V),
     ],
-    [
-        rolling!("l_v", "n_v"),
-        rolling!("l_p", "n_p"),
-        rolling!("l_r", "n_r"),
-        Whole(0),
-        rolling!("l_da", "n_da"),
-        rolling!("l_dr", "n_dr"),
-    ],
-    [
-        yawing!("l_v", "n_v"),
-        yawing!("l_p", "n_p"),
-        yawing!("l_r", "n_r"),
-        Whole(0),
-        yawing!("l_da", "n_da"),
-        yawing!("l_dr", "n_dr"),
-    ],
-    [Whole(0), Whole(1), Of(TanPitch), Whole(0), Whole(0), Whole(0)],
+    ROLLING,
+    YAWING,
+    BANKING,
 ];
 
 /// How the entry of a row and a column is made: columns 0 to 3 are those of A, 4 and 5 those of B.
-pub fn form(plane: Plane, row: usize, column: usize) -> Form {
-    let rows = match plane {
-        Plane::Longitudinal => &LONGITUDINAL,
-        Plane::Lateral => &LATERAL,
+pub fn form(plane: Plane, row: usize, column: usize, notation: Notation) -> Form {
+    let rows = match (plane, notation) {
+        (Plane::Longitudinal, Notation::Velocities) => &LONGITUDINAL,
+        (Plane::Longitudinal, Notation::Angles) => &LONGITUDINAL_IN_ANGLES,
+        (Plane::Lateral, Notation::Velocities) => &LATERAL,
+        (Plane::Lateral, Notation::Angles) => &LATERAL_IN_ANGLES,
     };
     rows.get(row).and_then(|row| row.get(column)).copied().unwrap_or(Whole(0))
 }
 
 impl Atom {
     /// Its symbol, in the notation of the sliders' symbols.
-    pub fn symbol(self) -> &'static str {
+    pub fn symbol(self, convention: Convention) -> &'static str {
         match self {
-            Self::Derivative(key) => Parameter::find(key).map_or("", |parameter| parameter.symbol),
+            Self::Derivative(key) => {
+                Parameter::find(key).map_or("", |parameter| parameter.written(convention).symbol)
+            }
             Self::U0 => "U_0",
             Self::W0 => "W_0",
+            Self::Speed => "V",
             Self::Gravity => "g",
             Self::CosPitch => "cos θ_0",
             Self::SinPitch => "sin θ_0",
@@ -160,8 +202,9 @@ impl Atom {
     }
 
     /// What it stands for, where its symbol is this page's own.
-    pub fn definition(self) -> Option<&'static str> {
+    pub fn definition(self, notation: Notation) -> Option<&'static str> {
         match self {
+            Self::Heave if notation == Notation::Angles => Some("D = 1 − Z_α\u{307}/V"),
             Self::Heave => Some("D = 1 − Z_ẇ"),
             Self::RollProduct => Some("i_x = I_xz/I_x"),
             Self::YawProduct => Some("i_z = I_xz/I_z"),
@@ -170,14 +213,21 @@ impl Atom {
         }
     }
 
-    /// Its value \[SI\]; `None` for what is of one entry only, and of a plane that the source has nothing of.
-    pub fn value(self, scenario: &Scenario, derived: &DerivativeModel) -> Option<f64> {
+    /// Its value \[SI\] in a notation; `None` for what is of one entry only, and of a plane that the source has nothing of.
+    pub fn value(
+        self,
+        scenario: &Scenario,
+        derived: &DerivativeModel,
+        convention: Convention,
+    ) -> Option<f64> {
         let DerivativeModel { trim, longitudinal, lateral, .. } = derived;
         let products = || lateral.as_ref().map(|d| (d.ixz_over_ix, d.ixz_over_iz));
         match self {
-            Self::Derivative(key) => Parameter::find(key).map(|parameter| parameter.get(scenario)),
+            Self::Derivative(key) => Parameter::find(key)
+                .map(|parameter| parameter.get(scenario) * parameter.written(convention).factor),
             Self::U0 => Some(trim.u0()),
             Self::W0 => Some(trim.w0()),
+            Self::Speed => Some(trim.speed),
             Self::Gravity => Some(trim.gravity),
             Self::CosPitch => Some(trim.theta0().cos()),
             Self::SinPitch => Some(trim.theta0().sin()),
@@ -193,30 +243,41 @@ impl Atom {
 
 impl Form {
     /// Written out, in the notation of the sliders' symbols.
-    pub fn text(&self) -> String {
+    pub fn text(&self, convention: Convention) -> String {
         match self {
             Whole(number) => number.to_string(),
-            Of(atom) => atom.symbol().to_owned(),
-            Minus(form) => format!("−{}", form.as_factor()),
+            Of(atom) => atom.symbol(convention).to_owned(),
+            Minus(form) => format!("−{}", form.as_factor(convention)),
             Sum(terms) => {
                 let mut text = String::new();
                 for term in *terms {
                     match term {
-                        Minus(form) if !text.is_empty() => text.push_str(&format!(" − {}", form.as_factor())),
-                        _ if text.is_empty() => text.push_str(&term.text()),
-                        _ => text.push_str(&format!(" + {}", term.text())),
+                        Minus(form) if !text.is_empty() => {
+                            text.push_str(&format!(" − {}", form.as_factor(convention)))
+                        }
+                        _ if text.is_empty() => text.push_str(&term.text(convention)),
+                        _ => text.push_str(&format!(" + {}", term.text(convention))),
                     }
                 }
                 text
             }
-            Product(factors) => factors.iter().map(Self::as_factor).collect::<Vec<_>>().join(" "),
-            Quotient(above, below) => format!("{}/{}", above.as_factor(), below.as_factor()),
+            Product(factors) => {
+                factors.iter().map(|factor| factor.as_factor(convention)).collect::<Vec<_>>().join(" ")
+            }
+            Quotient(above, below) => {
+                let below = match below {
+                    Product(_) => format!("({})", below.text(convention)),
+                    _ => below.as_factor(convention),
+                };
+                format!("{}/{below}", above.as_factor(convention))
+            }
         }
     }
 
     /// In brackets where it is a sum.
-    pub fn as_factor(&self) -> String {
-        if matches!(self, Sum(_)) { format!("({})", self.text()) } else { self.text() }
+    fn as_factor(&self, convention: Convention) -> String {
+        let text = self.text(convention);
+        if matches!(self, Sum(_)) { format!("({text})") } else { text }
     }
 
     /// What it is made of, in the order of writing, each once.

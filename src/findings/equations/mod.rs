@@ -6,12 +6,13 @@ mod forms;
 use crate::flight::aircraft::aircraft_model::DerivativeModel;
 use crate::flight::aircraft::edits::{EditedModel, MatrixOffsets};
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::aircraft::states::Lateral::V;
 use crate::flight::aircraft::states::Longitudinal::{U, W};
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::quartic::polynomial;
 use crate::flight::modes::sensitivity::{entry_rate, sensitivity};
-use crate::scenario::{Dimension, Page, Parameter, Scenario, parameters};
+use crate::scenario::{Convention, Dimension, Page, Parameter, Scenario, parameters};
 
 pub use forms::{Atom, Form};
 
@@ -30,7 +31,9 @@ pub const CHANGE: f64 = 0.1;
 pub struct Equations {
     /// The plane.
     pub plane: Plane,
-    /// Entries of A and, in the last two columns, of B \[SI\].
+    /// How they are written.
+    pub convention: Convention,
+    /// Entries of A and, in the last two columns, of B \[SI\], in the notation.
     values: [[f64; COLUMNS]; ROWS],
     /// Added by a person to the entries themselves.
     offsets: MatrixOffsets,
@@ -76,14 +79,18 @@ impl Factor {
 
 impl Equations {
     /// The equations of an analysed plane of an aircraft.
-    pub(super) fn of(edited: &EditedModel, analysed: &PlaneAnalysis) -> Self {
+    pub(super) fn of(edited: &EditedModel, analysed: &PlaneAnalysis, convention: Convention) -> Self {
         let PlaneAnalysis { model, modes, .. } = analysed;
-        let value = |row: usize, column: usize| match column.checked_sub(STATES) {
-            Some(input) => model.b[(row, input)],
-            None => model.a[(row, column)],
+        let value = |row: usize, column: usize| {
+            let entry = match column.checked_sub(STATES) {
+                Some(input) => model.b[(row, input)],
+                None => model.a[(row, column)],
+            };
+            entry * convention.of_entry(model.plane, row, column)
         };
         Self {
             plane: model.plane,
+            convention,
             values: std::array::from_fn(|row| std::array::from_fn(|column| value(row, column))),
             offsets: edited.offsets.matrices[model.plane],
             derived: edited.derivatives().ok().flatten(),
@@ -109,7 +116,7 @@ impl Equations {
 
     /// How an entry is made; `None` where the source has bare matrices, of which only the numbers are known.
     pub fn form(&self, row: usize, column: usize) -> Option<Form> {
-        self.derived.as_ref().map(|_| forms::form(self.plane, row, column))
+        self.derived.as_ref().map(|_| forms::form(self.plane, row, column, self.convention.notation))
     }
 
     /// What a person has added to an entry itself \[SI\].
@@ -119,12 +126,12 @@ impl Equations {
             Some(input) => b.get((row, input)),
             None => a.get((row, column)),
         };
-        added.copied().unwrap_or_default()
+        added.copied().unwrap_or_default() * self.convention.of_entry(self.plane, row, column)
     }
 
-    /// The value of what entries are made of \[SI\].
+    /// The value of what entries are made of \[SI\], in the notation.
     pub fn atom(&self, scenario: &Scenario, atom: Atom) -> Option<f64> {
-        atom.value(scenario, self.derived.as_ref()?)
+        atom.value(scenario, self.derived.as_ref()?, self.convention)
     }
 
     /// Size of the move of a mode's λ relative to |λ| when an entry changes by [`CHANGE`] of itself; `None` at a repeated root. An entry
@@ -155,14 +162,12 @@ impl Equations {
 
     /// The dimension of an entry: of a rate over a state, lengths being in the first states only.
     pub fn dimension(&self, row: usize, column: usize) -> Dimension {
-        if let Some((parameter, _)) = self.slider(row, column) {
-            return parameter.dimension;
-        }
+        let is_angle_of_flow = |index: usize| self.convention.angle(self.plane) == Some(index);
         let has_length = |index: usize| match self.plane {
-            Plane::Longitudinal => index == U.index() || index == W.index(),
-            Plane::Lateral => index == 0,
+            Plane::Longitudinal => index == U.index() || index == W.index() && !is_angle_of_flow(index),
+            Plane::Lateral => index == V.index() && !is_angle_of_flow(index),
         };
-        let is_angle = |index: usize| index + 1 == STATES;
+        let is_angle = |index: usize| index + 1 == STATES || is_angle_of_flow(index);
         match (has_length(row), is_angle(row)) {
             (true, _) if column >= STATES || is_angle(column) => Dimension::Acceleration,
             (true, _) if has_length(column) => Dimension::PerSecond,

@@ -1,6 +1,6 @@
 //! The keys of measures, and the measures by their keys.
 
-use super::{AircraftQuantity, Measure, Metric, ModeQuantity, PlaneQuantity};
+use super::{AircraftQuantity, LoopOf, LoopQuantity, Measure, Metric, ModeQuantity, PlaneQuantity};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::motion::outputs::Output;
@@ -16,6 +16,7 @@ impl Measure {
         match self {
             Self::OfMode(name, quantity) => format!("{}.{}", underscored(name.key()), quantity.key()),
             Self::OfPlane(plane, quantity) => format!("{}.{}", plane.key(), quantity.key()),
+            Self::OfLoop(of, quantity) => format!("{}.{}", of.key(), quantity.key()),
             Self::OfAircraft(quantity) => quantity.key().to_owned(),
             Self::OfOutput(output, metric) => format!("{}.{}", metric.key(), output.key()),
             Self::OfParameter(parameter) => format!("{PARAMETER}.{}", parameter.key),
@@ -35,6 +36,9 @@ impl Measure {
         }
         if let Some(plane) = Plane::by_key(subject) {
             return Some(Self::OfPlane(plane, PlaneQuantity::by_key(quantity)?));
+        }
+        if let Some(of) = LoopOf::by_key(subject) {
+            return Some(Self::OfLoop(of, LoopQuantity::by_key(quantity)?));
         }
         Some(Self::OfMode(ModeName::by_key(subject)?, ModeQuantity::by_key(quantity)?))
     }

@@ -22,6 +22,8 @@ pub enum Measure {
     OfMode(ModeName, ModeQuantity),
     /// A quantity of a plane of motion.
     OfPlane(Plane, PlaneQuantity),
+    /// A quantity of the loop of a control, of a law of feedback.
+    OfLoop(LoopOf, LoopQuantity),
     /// A quantity of the aircraft as a whole.
     OfAircraft(AircraftQuantity),
     /// A metric of an output of the motion on screen.
@@ -95,6 +97,65 @@ keys! {
     }
 }
 
+/// The loop of a control, cut before its actuator, the other of its plane closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoopOf {
+    /// Of the elevator.
+    Elevator,
+    /// Of the throttle.
+    Throttle,
+    /// Of the aileron.
+    Aileron,
+    /// Of the rudder.
+    Rudder,
+}
+
+keys! {
+    LoopOf {
+        Elevator => "elevator_loop",
+        Throttle => "throttle_loop",
+        Aileron => "aileron_loop",
+        Rudder => "rudder_loop",
+    }
+}
+
+impl LoopOf {
+    /// The plane of its control, and the place of the control among the inputs there.
+    pub const fn input(self) -> (Plane, usize) {
+        match self {
+            Self::Elevator => (Plane::Longitudinal, 0),
+            Self::Throttle => (Plane::Longitudinal, 1),
+            Self::Aileron => (Plane::Lateral, 0),
+            Self::Rudder => (Plane::Lateral, 1),
+        }
+    }
+}
+
+/// A quantity of a loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoopQuantity {
+    /// The least factor above 1 on all gains to the control at which the loop is neutral.
+    GainMargin,
+    /// The greatest factor below 1 that makes it neutral: gains may be lowered so far.
+    GainReduction,
+    /// The lag \[rad\] at which it is neutral, negative of a lead: the smallest of all crossovers.
+    PhaseMargin,
+    /// The frequency of that crossover \[rad/s\].
+    Crossover,
+    /// Greatest of |1/(1 + L)| over frequency.
+    SensitivityPeak,
+}
+
+keys! {
+    LoopQuantity {
+        GainMargin => "gain_margin",
+        GainReduction => "gain_reduction",
+        PhaseMargin => "phase_margin",
+        Crossover => "crossover",
+        SensitivityPeak => "sensitivity_peak",
+    }
+}
+
 /// A quantity of the aircraft as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AircraftQuantity {
@@ -159,6 +220,9 @@ impl Measure {
         let of_planes = Plane::ALL.into_iter().flat_map(|plane| {
             PlaneQuantity::VALUES.iter().map(move |&quantity| Self::OfPlane(plane, quantity))
         });
+        let of_loops = LoopOf::VALUES
+            .iter()
+            .flat_map(|&of| LoopQuantity::VALUES.iter().map(move |&quantity| Self::OfLoop(of, quantity)));
         let of_modes = ModeName::VALUES
             .iter()
             .flat_map(|&name| ModeQuantity::VALUES.iter().map(move |&quantity| Self::OfMode(name, quantity)));
@@ -167,6 +231,7 @@ impl Measure {
             .flat_map(|&output| Metric::VALUES.iter().map(move |&metric| Self::OfOutput(output, metric)));
         of_aircraft
             .chain(of_planes)
+            .chain(of_loops)
             .chain(of_modes)
             .chain(of_outputs)
             .chain(parameters().map(Self::OfParameter))
@@ -191,6 +256,13 @@ impl Measure {
                 PlaneQuantity::Oscillations => Dimension::Count,
                 PlaneQuantity::Determinant => Dimension::PerSecondFourth,
                 PlaneQuantity::Stability | PlaneQuantity::StaticStability => Dimension::Number,
+            },
+            Self::OfLoop(_, quantity) => match quantity {
+                LoopQuantity::PhaseMargin => Dimension::Angle,
+                LoopQuantity::Crossover => Dimension::Frequency,
+                LoopQuantity::GainMargin | LoopQuantity::GainReduction | LoopQuantity::SensitivityPeak => {
+                    Dimension::Number
+                }
             },
             Self::OfAircraft(quantity) => match quantity {
                 AircraftQuantity::StaticMargin | AircraftQuantity::ManoeuvreMargin => Dimension::Percent,

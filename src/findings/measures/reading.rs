@@ -1,6 +1,6 @@
 //! What a measure reads of a scenario: a number, a verdict, or the reason why there is none.
 
-use super::{AircraftQuantity, Measure, Metric, ModeQuantity, PlaneQuantity};
+use super::{AircraftQuantity, LoopOf, LoopQuantity, Measure, Metric, ModeQuantity, PlaneQuantity};
 use crate::findings::{Extreme, Findings, OutputMetrics, Problem};
 use crate::flight::Analysis;
 use crate::flight::aircraft::plane::Plane;
@@ -9,7 +9,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::motion::outputs::Output;
-use crate::flight::verdicts::handling_qualities::Level;
+use crate::flight::verdicts::handling_qualities::{Level, Verdict};
 use crate::scenario::Parameter;
 
 /// What was read.
@@ -42,6 +42,10 @@ pub enum Absence {
     DoesNotDieAway(ModeName),
     /// No requirement judges it, or no class is chosen.
     NotJudged,
+    /// The law moves no such control, or there is none.
+    NoLoop(LoopOf),
+    /// The loop is neutral at no such change, or has no such frequency.
+    NoMargin(LoopQuantity),
     /// The aircraft isn't given by coefficients.
     NoCoefficients,
     /// The aircraft doesn't have this parameter.
@@ -57,7 +61,8 @@ impl Measure {
     pub fn read(self, findings: &Findings) -> Result<Reading, Absence> {
         match self {
             Self::OfMode(name, quantity) => of_mode(findings, name, quantity),
-            Self::OfPlane(plane, quantity) => of_plane(plane_of(findings, plane)?, quantity),
+            Self::OfPlane(plane, quantity) => of_plane(findings, plane_of(findings, plane)?, quantity),
+            Self::OfLoop(of, quantity) => of_loop(findings, of, quantity),
             Self::OfAircraft(quantity) => of_aircraft(findings, quantity),
             Self::OfOutput(output, metric) => of_output(findings, output, metric),
             Self::OfParameter(parameter) => {
@@ -90,7 +95,7 @@ fn plane_of(findings: &Findings, plane: Plane) -> Result<&PlaneAnalysis, Absence
 fn of_mode(findings: &Findings, name: ModeName, quantity: ModeQuantity) -> Result<Reading, Absence> {
     let planes = Plane::ALL.map(|plane| plane_of(findings, plane));
     let found = planes.iter().flatten().find_map(|plane| {
-        let mode = plane.modes.iter().find(|mode| mode.naming.name == name)?;
+        let mode = findings.modes_in_flight(plane).into_iter().find(|mode| mode.naming.name == name)?;
         Some((*plane, mode))
     });
     let Some((plane, mode)) = found else {
@@ -114,38 +119,72 @@ fn of_mode(findings: &Findings, name: ModeName, quantity: ModeQuantity) -> Resul
             (mode.time_constant().filter(|tau| *tau > 0.0), Absence::DoesNotDieAway(name))
         }
         ModeQuantity::Stability => return Ok(Reading::Stability(mode.stability)),
-        ModeQuantity::Level => return level_of(plane, mode).map(Reading::Level).ok_or(Absence::NotJudged),
+        ModeQuantity::Level => {
+            return level_of(findings, plane, mode).map(Reading::Level).ok_or(Absence::NotJudged);
+        }
     };
     number.and_then(finite).ok_or(without)
 }
 
 /// The worst level that a mode has.
-fn level_of(plane: &PlaneAnalysis, mode: &Mode) -> Option<Level> {
-    let of_mode = plane.levels.iter().filter(|verdict| verdict.modes.contains(&mode.naming.name));
+fn level_of(findings: &Findings, plane: &PlaneAnalysis, mode: &Mode) -> Option<Level> {
+    let of_mode =
+        levels_in_flight(findings, plane).iter().filter(|verdict| verdict.modes.contains(&mode.naming.name));
     of_mode.filter_map(|verdict| verdict.level).max()
 }
 
-fn of_plane(plane: &PlaneAnalysis, quantity: PlaneQuantity) -> Result<Reading, Absence> {
+/// The levels of a plane as it flies: under the law where there is one.
+fn levels_in_flight<'a>(findings: &'a Findings, plane: &'a PlaneAnalysis) -> &'a [Verdict] {
+    match findings.closed_loop_of(plane.model.plane) {
+        Some(Ok(closed)) => &closed.levels,
+        Some(Err(_)) | None => &plane.levels,
+    }
+}
+
+/// The dynamic stability of a plane as it flies.
+fn stability_in_flight(findings: &Findings, plane: &PlaneAnalysis) -> Stability {
+    match findings.closed_loop_of(plane.model.plane) {
+        Some(Ok(closed)) => closed.dynamic_stability,
+        Some(Err(_)) | None => plane.dynamic_stability,
+    }
+}
+
+fn of_plane(findings: &Findings, plane: &PlaneAnalysis, quantity: PlaneQuantity) -> Result<Reading, Absence> {
     Ok(match quantity {
-        PlaneQuantity::Stability => Reading::Stability(plane.dynamic_stability),
+        PlaneQuantity::Stability => Reading::Stability(stability_in_flight(findings, plane)),
         PlaneQuantity::StaticStability => Reading::Stability(plane.static_stability.verdict),
         PlaneQuantity::Determinant => Reading::Number(plane.static_stability.determinant),
         PlaneQuantity::Oscillations => {
-            Reading::Number(plane.modes.iter().filter(|mode| mode.is_oscillatory()).count() as f64)
+            let modes = findings.modes_in_flight(plane);
+            Reading::Number(modes.into_iter().filter(|mode| mode.is_oscillatory()).count() as f64)
         }
     })
 }
 
+fn of_loop(findings: &Findings, of: LoopOf, quantity: LoopQuantity) -> Result<Reading, Absence> {
+    let (plane, input) = of.input();
+    plane_of(findings, plane)?;
+    let margins = findings.loop_margins(plane)[input].as_ref().ok_or(Absence::NoLoop(of))?;
+    let number = match quantity {
+        LoopQuantity::GainMargin => margins.raise.map(|margin| margin.factor),
+        LoopQuantity::GainReduction => margins.lower.map(|margin| margin.factor),
+        LoopQuantity::PhaseMargin => margins.phase.map(|margin| margin.angle),
+        LoopQuantity::Crossover => margins.phase.map(|margin| margin.frequency),
+        LoopQuantity::SensitivityPeak => margins.sensitivity.map(|peak| peak.value),
+    };
+    number.and_then(finite).ok_or(Absence::NoMargin(quantity))
+}
+
 fn of_aircraft(findings: &Findings, quantity: AircraftQuantity) -> Result<Reading, Absence> {
     let analysis = analysis(findings)?;
-    let worst = |of: fn(&PlaneAnalysis) -> Stability| {
+    let worst = |of: &dyn Fn(&PlaneAnalysis) -> Stability| {
         let planes = analysis.planes.iter().filter_map(|plane| plane.as_ref()?.as_ref().ok());
         planes.map(of).max().map(Reading::Stability).ok_or(Absence::Problem(Problem::NoData))
     };
     let number = |value: Option<f64>, without: Absence| value.and_then(finite).ok_or(without);
     match quantity {
-        AircraftQuantity::Stability => worst(|plane| plane.dynamic_stability),
-        AircraftQuantity::StaticStability => worst(|plane| plane.static_stability.verdict),
+        AircraftQuantity::Stability => worst(&|plane| stability_in_flight(findings, plane)),
+        AircraftQuantity::StaticStability => worst(&|plane| plane.static_stability.verdict),
         AircraftQuantity::StaticMargin => {
             number(analysis.margins.map(|margins| margins.static_margin), Absence::NoCoefficients)
         }
@@ -153,7 +192,7 @@ fn of_aircraft(findings: &Findings, quantity: AircraftQuantity) -> Result<Readin
             number(analysis.margins.map(|margins| margins.manoeuvre_margin), Absence::NoCoefficients)
         }
         AircraftQuantity::Level => {
-            let level = analysis.overall_level().and_then(|overall| overall.level);
+            let level = findings.overall_level_in_flight();
             level.map(Reading::Level).ok_or(Absence::NotJudged)
         }
         AircraftQuantity::GravityRatio => {
@@ -167,7 +206,7 @@ fn of_output(findings: &Findings, output: Output, metric: Metric) -> Result<Read
     if !Output::of(findings.scenario().plane).contains(&output) {
         return Err(Absence::OtherPlane(output));
     }
-    let Some(metrics) = findings.metrics() else {
+    let Some(metrics) = findings.flown_metrics() else {
         return Err(findings.problem().map_or(Absence::NoMetric(metric), Absence::Problem));
     };
     let of_output =

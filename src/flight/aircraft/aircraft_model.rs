@@ -217,7 +217,8 @@ impl<T: Real> Models<T> {
 }
 
 fn finite<T: Real>(model: PlaneModel<T>) -> Result<PlaneModel<T>, ModelError> {
-    let good = model.a.iter().chain(&model.b).all(|x| x.re().is_finite());
+    let further = model.further.as_ref().is_none_or(|further| further.is_finite());
+    let good = further && model.a.iter().chain(&model.b).all(|x| x.re().is_finite());
     if good { Ok(model) } else { Err(ModelError::NotFinite { plane: model.plane }) }
 }
 
@@ -233,6 +234,20 @@ impl AircraftModel {
                     aircraft_model.clone().map(|model| model.and_then(|m| models.kept(finite(m))));
                 Ok(models)
             }
+        }
+    }
+
+    /// Whether there are data of a plane.
+    pub fn has(&self, plane: Plane) -> bool {
+        match self {
+            Self::Coefficients(aircraft_model) => {
+                plane == Plane::Longitudinal || aircraft_model.coefficients.lateral.is_some()
+            }
+            Self::Derivatives(aircraft_model) => match plane {
+                Plane::Longitudinal => aircraft_model.longitudinal.is_some(),
+                Plane::Lateral => aircraft_model.lateral.is_some(),
+            },
+            Self::Matrices(aircraft_model) => aircraft_model[plane].is_some(),
         }
     }
 

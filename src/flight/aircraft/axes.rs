@@ -38,7 +38,7 @@ pub fn in_axes_at(model: &PlaneModel, alpha0: f64) -> PlaneModel {
             (scale(bank) * rotation(1, 2, sin, cos), rotation(1, 2, -sin, cos) * scale(1.0 / bank))
         }
     };
-    PlaneModel { plane: model.plane, a: t * model.a * inverse, b: t * model.b, trim }
+    PlaneModel { plane: model.plane, a: t * model.a * inverse, b: t * model.b, trim, further: None }
 }
 
 fn rotation(i: usize, j: usize, sin: f64, cos: f64) -> Matrix4<f64> {

@@ -311,7 +311,7 @@ pub fn longitudinal_model<T: Real>(d: &LongitudinalDerivatives<T>, trim: &Trim<T
         d.m_de + d.m_wdot*w_de, d.m_dt + d.m_wdot*w_dt,
         zero,                   zero,
     );
-    PlaneModel { plane: Plane::Longitudinal, a, b, trim: *trim }
+    PlaneModel { plane: Plane::Longitudinal, a, b, trim: *trim, further: None }
 }
 
 /// ẋ = A x + B δ, x = \[v, p, r, φ\], δ = \[δa, δr\] (McRuer, Ashkenas & Graham, ch. 4; primes as in
@@ -341,5 +341,5 @@ pub fn lateral_model<T: Real>(d: &LateralDerivatives<T>, trim: &Trim<T>) -> Plan
         d.n_da, d.n_dr,
         zero,   zero,
     );
-    PlaneModel { plane: Plane::Lateral, a, b, trim: *trim }
+    PlaneModel { plane: Plane::Lateral, a, b, trim: *trim, further: None }
 }

@@ -1,9 +1,11 @@
 //! The linear model of motion in one plane of symmetry's sense, ẋ = A x + B δ: longitudinal or lateral–directional.
 
 use std::ops::{Index, IndexMut};
+use std::sync::Arc;
 
 use nalgebra::{Matrix4, Matrix4x2};
 
+use super::further::FurtherStates;
 use super::real::Real;
 use crate::key::keys;
 
@@ -26,6 +28,14 @@ keys! {
 impl Plane {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Longitudinal, Self::Lateral];
+
+    /// Before the keys of a link that there is one a plane of: `lon.source`.
+    pub const fn short(self) -> &'static str {
+        match self {
+            Self::Longitudinal => "lon",
+            Self::Lateral => "lat",
+        }
+    }
 }
 
 /// One thing for each plane: `pair.lateral`, or `pair[plane]` where the plane is a value.
@@ -120,4 +130,6 @@ pub struct PlaneModel<T = f64> {
     pub b: Matrix4x2<T>,
     /// The steady flight.
     pub trim: Trim<T>,
+    /// States beside the four, where the source has any; `None` otherwise.
+    pub further: Option<Arc<FurtherStates>>,
 }

@@ -5,10 +5,12 @@
 //! Σ((p − p₀)/s)² (Nocedal & Wright, *Numerical Optimization*, 2nd ed., §§10.3, 16.5, 18). The derivatives of λ are
 //! exact. Both searches go downhill from where the aircraft is: a better place beyond a hill is not found.
 
-use nalgebra::{Complex, Matrix4, Vector2, Vector4};
+use nalgebra::{Complex, DefaultAllocator, U4, Vector2};
 
-use super::eigen::{Eigen, eigen};
+use super::eigen::eigen;
 use super::least_change::{Bounds, damped_step, least_change};
+use super::locus::Poles;
+use super::schur::{Room, Size, Square};
 
 /// A target is reached within this fraction of the size of the pole.
 const REACHED: f64 = 1e-11;
@@ -30,13 +32,47 @@ pub struct Adjustable {
     pub scale: f64,
 }
 
-/// The model at values of the parameters.
+/// The model at values of the parameters, of four states or of N.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Linearised {
+pub struct Linearised<N: Size = U4>
+where
+    DefaultAllocator: Room<N>,
+{
     /// A.
-    pub a: Matrix4<f64>,
+    pub a: Square<N>,
     /// ∂A/∂p, one a parameter; zero where there is none.
-    pub rates: Vec<Matrix4<f64>>,
+    pub rates: Vec<Square<N>>,
+}
+
+/// Which of some poles is meant.
+pub type Choice<'a> = &'a dyn Fn(&[Complex<f64>]) -> Option<usize>;
+
+/// The poles of a model, one of them, and how that moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// All poles, the largest first.
+    pub poles: Poles,
+    /// The place of the one that is meant.
+    pub chosen: usize,
+    /// dλ/dp of that, one a parameter.
+    pub rates: Vec<Complex<f64>>,
+}
+
+impl<N: Size> Linearised<N>
+where
+    DefaultAllocator: Room<N>,
+{
+    /// Its poles, and how the one that `choice` means moves.
+    pub fn solved(&self, choice: Choice<'_>) -> Option<Solved> {
+        let solved = eigen(&self.a).ok()?;
+        let poles: Poles = solved.values.iter().copied().collect();
+        let chosen = choice(&poles)?;
+        let (v, l) = (solved.right.column(chosen), solved.left.column(chosen));
+        let product = l.dotc(&v);
+        // dλ/dp = lᴴ (∂A/∂p) v / (lᴴ v)
+        let rate = |rate: &Square<N>| l.dotc(&(rate.map(Complex::from) * v)) / product;
+        Some(Solved { chosen, rates: self.rates.iter().map(rate).collect(), poles })
+    }
 }
 
 /// In which direction a target is out of reach.
@@ -90,8 +126,11 @@ struct Place {
     gap: f64,
 }
 
-struct Search<'a, F> {
-    model: F,
+/// The poles at values of the parameters, `None` where there is no such aircraft, and how the one that is meant moves.
+pub type Model<'a> = &'a dyn Fn(&[f64], Choice<'_>) -> Option<Solved>;
+
+struct Search<'a> {
+    model: Model<'a>,
     parameters: &'a [Adjustable],
     bounds: Bounds,
     wanted: Complex<f64>,
@@ -107,6 +146,16 @@ struct Search<'a, F> {
 /// `from` and `to` are taken in the upper half plane. The number of evaluations is bounded, some hundreds in practice.
 pub fn place_pole(
     model: impl Fn(&[f64]) -> Option<Linearised>,
+    parameters: &[Adjustable],
+    from: Complex<f64>,
+    to: Complex<f64>,
+) -> Result<Placement, InverseError> {
+    place_pole_of(&|values, choice| model(values)?.solved(choice), parameters, from, to)
+}
+
+/// The same of any model, by its poles: as many at all values.
+pub fn place_pole_of(
+    model: Model<'_>,
     parameters: &[Adjustable],
     from: Complex<f64>,
     to: Complex<f64>,
@@ -134,13 +183,14 @@ pub fn place_pole(
     };
     // The pole nearest to `from`, whichever kind it is.
     let start = vec![0.0; parameters.len()];
-    let (solved, _) = search.solve(&start).ok_or(InverseError::NoModel)?;
-    let nearest = (0..4)
-        .filter(|&i| solved.values[i].im >= 0.0)
-        .min_by(|&i, &j| (solved.values[i] - from).norm().total_cmp(&(solved.values[j] - from).norm()))
-        .ok_or(InverseError::NoModel)?;
-    let pole = solved.values[nearest];
-    let radius = solved.values[0].norm();
+    let nearest = |poles: &[Complex<f64>]| {
+        let distance = |i: usize| (poles[i] - from).norm();
+        let upper = (0..poles.len()).filter(|&i| poles[i].im >= 0.0);
+        upper.min_by(|&i, &j| distance(i).total_cmp(&distance(j)))
+    };
+    let solved = search.solve(&start, &nearest).ok_or(InverseError::NoModel)?;
+    let pole = solved.poles[solved.chosen];
+    let radius = solved.poles[0].norm();
     search.real = pole.im == 0.0;
     let off_the_axis = search.real && to.im > 0.0;
     if search.real {
@@ -170,44 +220,38 @@ pub fn place_pole(
     })
 }
 
-impl<F: Fn(&[f64]) -> Option<Linearised>> Search<'_, F> {
+impl Search<'_> {
     /// p = p₀ + s y, within the bounds to the last bit.
     fn values(&self, y: &[f64]) -> Vec<f64> {
         let value = |(p, y): (&Adjustable, &f64)| (p.value + p.scale * y).clamp(p.lower, p.upper);
         self.parameters.iter().zip(y).map(value).collect()
     }
 
-    /// The eigenvalues at `y`, and ∂A/∂p there.
-    fn solve(&mut self, y: &[f64]) -> Option<(Eigen, Vec<Matrix4<f64>>)> {
+    /// The poles at `y`.
+    fn solve(&mut self, y: &[f64], choice: Choice<'_>) -> Option<Solved> {
         self.evaluations += 1;
-        let Linearised { a, rates } = (self.model)(&self.values(y))?;
-        Some((eigen(&a).ok()?, rates))
+        (self.model)(&self.values(y), choice)
     }
 
     /// The place at `y`, its pole being the one of the same kind nearest to `expected`.
     fn place(&mut self, y: Vec<f64>, expected: Complex<f64>) -> Option<Place> {
-        let (solved, a_rates) = self.solve(&y)?;
-        let distance = |i: usize| (solved.values[i] - expected).norm();
-        let kind = |i: &usize| {
-            let im = solved.values[*i].im;
-            if self.real { im == 0.0 } else { im > 0.0 }
+        let real = self.real;
+        let of_kind = |poles: &[Complex<f64>]| {
+            let distance = |i: usize| (poles[i] - expected).norm();
+            let kind = |i: &usize| if real { poles[*i].im == 0.0 } else { poles[*i].im > 0.0 };
+            (0..poles.len()).filter(kind).min_by(|&i, &j| distance(i).total_cmp(&distance(j)))
         };
-        let i = (0..4).filter(kind).min_by(|&i, &j| distance(i).total_cmp(&distance(j)))?;
-        let lambda = solved.values[i];
-        let gap = (0..4)
-            .filter(|&j| j != i)
-            .map(|j| (solved.values[j] - lambda).norm())
-            .fold(f64::INFINITY, f64::min);
-        let v = Vector4::from(solved.right.column(i));
-        let l = Vector4::from(solved.left.column(i));
-        let product = l.dotc(&v);
-        let rate = |(parameter, a_rate): (&Adjustable, &Matrix4<f64>)| {
-            // dλ/dy = s lᴴ (∂A/∂p) v / (lᴴ v)
-            let rate = l.dotc(&(a_rate.map(Complex::from) * v)) / product * parameter.scale;
-            let rate = Vector2::new(rate.re, if self.real { 0.0 } else { rate.im });
+        let Solved { poles, chosen, rates } = self.solve(&y, &of_kind)?;
+        let lambda = poles[chosen];
+        let others = poles.iter().enumerate().filter(|(j, _)| *j != chosen);
+        let gap = others.map(|(_, other)| (other - lambda).norm()).fold(f64::INFINITY, f64::min);
+        let rate = |(parameter, rate): (&Adjustable, &Complex<f64>)| {
+            // dλ/dy = s dλ/dp
+            let rate = rate * parameter.scale;
+            let rate = Vector2::new(rate.re, if real { 0.0 } else { rate.im });
             if rate.norm() < 1e150 { rate } else { Vector2::zeros() }
         };
-        let rates = self.parameters.iter().zip(&a_rates).map(rate).collect();
+        let rates = self.parameters.iter().zip(&rates).map(rate).collect();
         Some(Place { y, lambda, rates, gap })
     }
 

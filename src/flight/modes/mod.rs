@@ -6,6 +6,8 @@
 //!                          ├──► sensitivity: ∂λ/∂p;  locus: the path of λ along p;  inverse: which p puts λ there
 //!                          └──► second_order, approximations: what a textbook says of the same mode
 //! ```
+//!
+//! `schur` and `eigen` solve a matrix of any size; modes of more than four states are named by the feedback that appends them.
 
 pub mod approximations;
 mod assignment;
@@ -15,7 +17,7 @@ mod least_change;
 pub mod locus;
 pub mod mode;
 pub mod mode_name;
-mod naming;
+pub(in crate::flight) mod naming;
 mod naming_lateral;
 mod naming_longitudinal;
 pub mod quartic;

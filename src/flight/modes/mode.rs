@@ -2,12 +2,13 @@
 
 use std::f64::consts::{LN_2, TAU};
 
-use nalgebra::{Complex, Matrix4, Vector4};
+use nalgebra::{Complex, DefaultAllocator, Matrix4, Vector4};
 use smallvec::SmallVec;
 
 use super::eigen::{Eigen, EigenError, eigen};
 use super::mode_name::{Amplitudes, Naming, UnnamedMode};
 use super::naming::name_modes;
+use super::schur::{Room, Size};
 use super::stability::{Stability, dynamic_stability};
 use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use crate::flight::aircraft::states::State;
@@ -122,7 +123,7 @@ fn named_modes(plane: Plane, a: &Matrix4<f64>, trim: Option<&Trim>) -> Result<Ve
             // What is neither stable nor unstable has rounding for a real part.
             let re = if stability == Stability::Neutral { 0.0 } else { lambda.re };
             let amplitudes = trim.map(|trim| Amplitudes::of(trim, &eigen.right.column(i).into_owned()));
-            let participation = eigen.participation(i);
+            let participation = eigen.participation(i).into();
             UnnamedMode { lambda: Complex::new(re, lambda.im), participation, stability, amplitudes }
         })
         .collect();
@@ -149,12 +150,15 @@ fn named_modes(plane: Plane, a: &Matrix4<f64>, trim: Option<&Trim>) -> Result<Ve
 /// 1/|lᴴv| depends on the units (Wilkinson 1965). Over all diagonal scalings its least value is Σ|lₖ||vₖ| / |lᴴv|, by the
 /// inequality of Cauchy and Schwarz. Two equal eigenvalues with independent vectors would still read 1, but no derivative of
 /// either is defined: there ρ/gap stands instead.
-fn condition(eigen: &Eigen, i: usize, spectral_radius: f64) -> f64 {
+pub(in crate::flight) fn condition<N: Size>(eigen: &Eigen<N>, i: usize, spectral_radius: f64) -> f64
+where
+    DefaultAllocator: Room<N>,
+{
     let (v, l) = (eigen.right.column(i), eigen.left.column(i));
     let (product, sum) =
         (l.dotc(&v).norm(), v.iter().zip(l.iter()).map(|(v, l)| v.norm() * l.norm()).sum::<f64>());
     let of_vectors = if product > 0.0 { sum / product } else { WORST_CONDITION };
-    let gap = (0..4)
+    let gap = (0..eigen.values.len())
         .filter(|&j| j != i)
         .map(|j| (eigen.values[j] - eigen.values[i]).norm())
         .fold(f64::INFINITY, f64::min);

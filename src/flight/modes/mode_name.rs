@@ -57,6 +57,28 @@ pub enum ModeName {
     LateralSubsidence,
     /// A real root that grows, of several lateral states and none of the above.
     LateralDivergence,
+    /// A real root of height: what a height that was left does.
+    Height,
+    /// A real root of heading: what a heading that was left does.
+    Heading,
+    /// A real root of a position along or across the ground.
+    Position,
+    /// A real root of the washout, whose slow part forgets.
+    Washout,
+    /// A real root of the elevator's actuator.
+    ElevatorActuator,
+    /// A real root of the engine's lag.
+    Engine,
+    /// A real root of the aileron's actuator.
+    AileronActuator,
+    /// A real root of the rudder's actuator.
+    RudderActuator,
+    /// Oscillation of states of the feedback, with or without a root of the aircraft.
+    FeedbackOscillation,
+    /// A real root of another state that the source has beside the four.
+    FurtherState,
+    /// Oscillation of states that the source has beside the four, with or without a root of the four.
+    FurtherOscillation,
 }
 
 keys! {
@@ -84,6 +106,17 @@ keys! {
         Spiral => "spiral",
         LateralSubsidence => "lateral-subsidence",
         LateralDivergence => "lateral-divergence",
+        Height => "height",
+        Heading => "heading",
+        Position => "position",
+        Washout => "washout",
+        ElevatorActuator => "elevator-actuator",
+        Engine => "engine",
+        AileronActuator => "aileron-actuator",
+        RudderActuator => "rudder-actuator",
+        FeedbackOscillation => "feedback-oscillation",
+        FurtherState => "further-state",
+        FurtherOscillation => "further-oscillation",
     }
 }
 
@@ -100,7 +133,7 @@ pub struct Naming {
 
 /// A mode without a name, as far as naming needs it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct UnnamedMode {
+pub(in crate::flight) struct UnnamedMode {
     pub lambda: Complex<f64>,
     pub participation: [f64; 4],
     pub stability: Stability,
@@ -120,7 +153,7 @@ impl UnnamedMode {
 
 /// Amplitudes of a longitudinal mode that a person can compare: angles and a ratio of speeds, in stability axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Amplitudes {
+pub(in crate::flight) struct Amplitudes {
     /// |u/V|.
     pub speed: f64,
     /// |α| \[rad\].
@@ -154,7 +187,7 @@ impl Amplitudes {
 }
 
 /// Below this confidence the shape is mixed.
-const MIXED: f64 = 0.65;
+pub(in crate::flight) const MIXED: f64 = 0.65;
 
 /// The name of `mode`, for the participation of `states` and the facts beside it.
 pub(super) fn naming(name: ModeName, mode: &UnnamedMode, states: StateSet, mut facts: Vec<Fact>) -> Naming {

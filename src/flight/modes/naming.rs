@@ -15,7 +15,7 @@
 
 use smallvec::SmallVec;
 
-use super::mode_name::{Naming, UnnamedMode};
+use super::mode_name::{ModeName, Naming, UnnamedMode};
 use super::{naming_lateral, naming_longitudinal};
 use crate::flight::aircraft::plane::Plane;
 
@@ -27,4 +27,14 @@ pub(super) fn name_modes(plane: Plane, modes: &[UnnamedMode]) -> SmallVec<[Namin
         Plane::Longitudinal => naming_longitudinal::name_modes(modes),
         Plane::Lateral => naming_lateral::name_modes(modes),
     }
+}
+
+/// The reasons for names that modes of one plane have already, in the same order.
+pub(in crate::flight) fn explained(plane: Plane, modes: &[(UnnamedMode, ModeName)]) -> SmallVec<[Naming; 4]> {
+    let (modes, names): (SmallVec<[UnnamedMode; 4]>, SmallVec<[ModeName; 4]>) = modes.iter().copied().unzip();
+    let explain = |(mode, &name): (&UnnamedMode, &ModeName)| match plane {
+        Plane::Longitudinal => naming_longitudinal::explain(name, mode, &modes, &names),
+        Plane::Lateral => naming_lateral::explain(name, mode, &modes),
+    };
+    modes.iter().zip(&names).map(explain).collect()
 }

@@ -137,7 +137,7 @@ fn yawing_root(mode: &UnnamedMode, modes: &[UnnamedMode], families: &[Family]) -
     }
 }
 
-fn explain(name: ModeName, mode: &UnnamedMode, modes: &[UnnamedMode]) -> Naming {
+pub(super) fn explain(name: ModeName, mode: &UnnamedMode, modes: &[UnnamedMode]) -> Naming {
     let yawing = StateSet::SideslipAndYawRate;
     let (states, fact) = match name {
         ModeName::DutchRoll => (yawing, Fact::YawingAndRocking),

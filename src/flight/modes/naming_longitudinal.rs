@@ -100,7 +100,12 @@ fn has_slow_root(modes: &[UnnamedMode], families: &[Family]) -> bool {
 /// of u/V is less than this fraction of that of α.
 const STILL: f64 = 0.1;
 
-fn explain(name: ModeName, mode: &UnnamedMode, modes: &[UnnamedMode], names: &[ModeName]) -> Naming {
+pub(super) fn explain(
+    name: ModeName,
+    mode: &UnnamedMode,
+    modes: &[UnnamedMode],
+    names: &[ModeName],
+) -> Naming {
     let fast = StateSet::AngleOfAttackAndPitchRate;
     let slow = StateSet::SpeedAndPitchAngle;
     let diverges = modes.iter().any(|other| !other.oscillates() && other.grows());

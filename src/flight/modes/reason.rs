@@ -21,6 +21,8 @@ pub enum StateSet {
     LongitudinalMix,
     /// Whichever of (v, r), p and φ has most, where no family fits.
     LateralMix,
+    /// The state beside the four that a mode is named after, or all of those: none of these.
+    Appended,
 }
 
 impl StateSet {
@@ -35,6 +37,7 @@ impl StateSet {
             Self::BankAngle => &[Self::BankAngle],
             Self::LongitudinalMix => &[Self::AngleOfAttackAndPitchRate, Self::SpeedAndPitchAngle],
             Self::LateralMix => &[Self::SideslipAndYawRate, Self::RollRate, Self::BankAngle],
+            Self::Appended => &[Self::Appended],
         }
     }
 
@@ -48,6 +51,7 @@ impl StateSet {
             Self::RollRateAndBankAngle => of(&[Lateral::P.index(), Lateral::Phi.index()]),
             Self::RollRate => of(&[Lateral::P.index()]),
             Self::BankAngle => of(&[Lateral::Phi.index()]),
+            Self::Appended => 0.0,
             Self::LongitudinalMix | Self::LateralMix => {
                 self.parts().iter().map(|part| part.share(participation)).fold(0.0, f64::max)
             }
@@ -129,6 +133,28 @@ pub enum Fact {
     LateralSubsides,
     /// A real root of several lateral states that grows.
     LateralDiverges,
+    /// States beside the four take part in a mode of the aircraft: their share, 0 to 1.
+    FeedbackTakesPart(f64),
+    /// A root of the aircraft and one of the feedback have met in one oscillation.
+    MeetsFeedback,
+    /// States of the feedback oscillate among themselves.
+    FeedbackOscillates,
+    /// A root of the four states and one of a further state have met in one oscillation.
+    MeetsFurther,
+    /// Further states oscillate among themselves.
+    FurtherOscillates,
+    /// What was left stays: nothing brings it back.
+    StaysWhereItIs,
+    /// It is brought back.
+    IsBroughtBack,
+    /// It comes back without a law.
+    ComesBack,
+    /// It grows.
+    Departs,
+    /// The shape is mixed: the name is that of the root it comes from as the gains of a law rise from zero.
+    Followed,
+    /// The shape is mixed: the name is that of the root it comes from as what couples the further states rises from zero.
+    FollowedFromApart,
     /// A participation too evenly spread for a certain name.
     MixedShape,
 }

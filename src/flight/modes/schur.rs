@@ -1,19 +1,40 @@
-//! Schur form of a real 4×4 matrix: the iteration behind the eigenvalues, bounded and written out.
+//! Schur form of a real matrix: the iteration behind the eigenvalues, bounded and written out.
 //!
 //! nalgebra's own may run forever on the companion matrix of s⁴ + 1 and, with a limit, gives up on permutations; this one
 //! takes LAPACK's exceptional shifts.
 
-use nalgebra::{Complex, Matrix4, Vector4};
+use nalgebra::allocator::Allocator;
+use nalgebra::{Complex, DefaultAllocator, Dim, DimMin, OMatrix, OVector, U1};
+
+/// Steps of the iteration for each eigenvalue; two or three are usual, LAPACK allows 30.
+const MOST_STEPS: usize = 100;
+
+/// Room for matrices and vectors of a size: of four states, which is known when the program is built, or of any.
+pub trait Room<N: Dim>: Allocator<N, N> + Allocator<N> + Allocator<U1, N> {}
+
+impl<N: Dim, A: Allocator<N, N> + Allocator<N> + Allocator<U1, N>> Room<N> for A {}
+
+/// A square matrix of real numbers.
+pub type Square<N> = OMatrix<f64, N, N>;
+
+/// A size of matrices that are solved.
+pub trait Size: DimMin<Self, Output = Self> {}
+
+impl<N: DimMin<N, Output = N>> Size for N {}
 
 /// Real Schur form H = Q T Qᵀ, T with 1×1 and 2×2 blocks on its diagonal (LAPACK `dhseqr`; GVL Algorithm 7.5.2).
-pub(super) fn schur(mut h: Matrix4<f64>) -> Option<(Matrix4<f64>, Matrix4<f64>)> {
-    let mut q = Matrix4::identity();
-    for k in 0..2 {
-        clear_column(&mut h, &mut q, k, 3);
+pub(super) fn schur<N: Size>(mut h: Square<N>) -> Option<(Square<N>, Square<N>)>
+where
+    DefaultAllocator: Room<N>,
+{
+    let (n, (rows, columns)) = (h.nrows(), h.shape_generic());
+    let mut q = OMatrix::identity_generic(rows, columns);
+    for k in 0..n.saturating_sub(2) {
+        clear_column(&mut h, &mut q, k, n - 1);
     }
     let norm = h.amax();
-    let (mut hi, mut steps) = (3, 0);
-    for _ in 0..300 {
+    let (mut hi, mut steps) = (n.checked_sub(1)?, 0);
+    for _ in 0..MOST_STEPS * n {
         let mut lo = hi;
         while lo > 0 {
             // |hᵢ,ᵢ₋₁| ≤ ε(|hᵢᵢ| + |hᵢ₋₁,ᵢ₋₁|) counts as zero; beside a zero diagonal, or when slow, so does ε‖H‖.
@@ -38,7 +59,10 @@ pub(super) fn schur(mut h: Matrix4<f64>) -> Option<(Matrix4<f64>, Matrix4<f64>)>
 }
 
 /// One implicit double-shift QR step on rows `lo..=hi` (LAPACK `dlahqr`, EISPACK `hqr`; GVL Algorithm 7.5.1).
-fn francis(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, lo: usize, hi: usize, exceptional: bool) {
+fn francis<N: Size>(h: &mut Square<N>, q: &mut Square<N>, lo: usize, hi: usize, exceptional: bool)
+where
+    DefaultAllocator: Room<N>,
+{
     // The shifts are the eigenvalues of [x √w; √w y]; now and then others, for matrices that the usual ones leave as
     // they are (a permutation).
     let (mut x, mut y) = (h[(hi, hi)], h[(hi - 1, hi - 1)]);
@@ -49,19 +73,29 @@ fn francis(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, lo: usize, hi: usize, exc
     }
     // First column of (H − s₁I)(H − s₂I), divided by h₂₁
     let (h11, h21) = (h[(lo, lo)], h[(lo + 1, lo)]);
-    let mut bulge = Vector4::zeros();
+    let mut bulge = OVector::zeros_generic(h.shape_generic().0, U1);
     bulge[lo] = ((x - h11) * (y - h11) - w) / h21 + h[(lo, lo + 1)];
     bulge[lo + 1] = h11 + h[(lo + 1, lo + 1)] - x - y;
     bulge[lo + 2] = h[(lo + 2, lo + 1)];
     reflect(h, q, bulge, lo);
     for k in lo..hi - 1 {
-        clear_column(h, q, k, hi);
+        // The bulge is three rows high.
+        clear_column(h, q, k, hi.min(k + 3));
     }
 }
 
 /// Zeros in column k of H from row k + 2 to row `hi`.
-fn clear_column(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, k: usize, hi: usize) {
-    let x = Vector4::from_fn(|i, _| if i > k && i <= hi { h[(i, k)] } else { 0.0 });
+fn clear_column<N: Size>(h: &mut Square<N>, q: &mut Square<N>, k: usize, hi: usize)
+where
+    DefaultAllocator: Room<N>,
+{
+    let x = OVector::from_fn_generic(
+        h.shape_generic().0,
+        U1,
+        |i, _| {
+            if i > k && i <= hi { h[(i, k)] } else { 0.0 }
+        },
+    );
     reflect(h, q, x, k + 1);
     (k + 2..=hi).for_each(|i| h[(i, k)] = 0.0);
 }
@@ -69,24 +103,36 @@ fn clear_column(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, k: usize, hi: usize)
 /// H ← P H P and Q ← Q P, where P = I − 2uuᵀ/uᵀu takes `x` to ∓‖x‖ eₖ (Householder; GVL §5.1).
 ///
 /// `x` is zero before place k.
-fn reflect(h: &mut Matrix4<f64>, q: &mut Matrix4<f64>, x: Vector4<f64>, k: usize) {
-    if (k + 1..4).all(|i| x[i] == 0.0) || !x.amax().is_finite() {
+fn reflect<N: Size>(h: &mut Square<N>, q: &mut Square<N>, x: OVector<f64, N>, k: usize)
+where
+    DefaultAllocator: Room<N>,
+{
+    if (k + 1..x.len()).all(|i| x[i] == 0.0) || !x.amax().is_finite() {
         return;
     }
-    let mut u = x / power_of_two(x.amax());
+    let size = power_of_two(x.amax());
+    let mut u = x / size;
     u[k] += u.norm().copysign(u[k]);
     let tau = 2.0 / u.norm_squared();
-    *h -= u * (u.tr_mul(h) * tau);
-    *h -= (*h * u) * (u.transpose() * tau);
-    *q -= (*q * u) * (u.transpose() * tau);
+    let row = u.transpose() * tau;
+    *h -= &u * (u.tr_mul(h) * tau);
+    *h -= (&*h * &u) * &row;
+    *q -= (&*q * &u) * &row;
 }
+
+/// U and T of a complex Schur form.
+type Triangle<N> = (OMatrix<Complex<f64>, N, N>, OMatrix<Complex<f64>, N, N>);
 
 /// Complex Schur form U T Uᴴ from the real one: a rotation for each 2×2 block (MATLAB `rsf2csf`; LAPACK `dlanv2`).
 ///
 /// The diagonal of T is exact where it matters: real, or λ above λ̄ with positive imaginary part.
-pub(super) fn triangle(q: &Matrix4<f64>, h: &Matrix4<f64>) -> (Matrix4<Complex<f64>>, Matrix4<Complex<f64>>) {
+pub(super) fn triangle<N: Size>(q: &Square<N>, h: &Square<N>) -> Triangle<N>
+where
+    DefaultAllocator: Room<N>,
+{
+    let n = h.nrows();
     let (mut u, mut t) = (q.map(Complex::from), h.map(Complex::from));
-    for i in (0..3).filter(|&i| h[(i + 1, i)] != 0.0) {
+    for i in (0..n.saturating_sub(1)).filter(|&i| h[(i + 1, i)] != 0.0) {
         let (a, b, c, d) = (h[(i, i)], h[(i, i + 1)], h[(i + 1, i)], h[(i + 1, i + 1)]);
         // λ = d + z,  z = p ± √(p² + b c),  p = (a − d)/2
         let p = 0.5 * (a - d);
@@ -104,13 +150,13 @@ pub(super) fn triangle(q: &Matrix4<f64>, h: &Matrix4<f64>) -> (Matrix4<Complex<f
         // (z, c) is the block's eigenvector for λ = d + z; G takes it to the first axis.
         let length = z.re.hypot(z.im).hypot(c);
         let (x, y) = (z / length, Complex::from(c / length));
-        for j in 0..4 {
+        for j in 0..n {
             let (upper, lower) = (t[(i, j)], t[(i + 1, j)]);
             t[(i, j)] = x.conj() * upper + y * lower;
             t[(i + 1, j)] = x * lower - y * upper;
         }
         for m in [&mut t, &mut u] {
-            for j in 0..4 {
+            for j in 0..n {
                 let (left, right) = (m[(j, i)], m[(j, i + 1)]);
                 m[(j, i)] = left * x + right * y;
                 m[(j, i + 1)] = right * x.conj() - left * y;

@@ -76,7 +76,14 @@ pub fn sensitivity(mode: &Mode, a_rate: &Matrix4<f64>) -> Sensitivity {
             }
         }
     }
-    let lambda = moved / l.dotc(v);
+    moved_by(mode, moved / l.dotc(v), mode.condition)
+}
+
+/// How a mode answers a parameter that moves its λ at a rate, at a condition number of the whole of which it is a mode.
+pub fn moved_by(mode: &Mode, lambda: Complex<f64>, condition: f64) -> Sensitivity {
+    if condition > REPEATED_CONDITION {
+        return Sensitivity::Repeated { condition };
+    }
     if !(lambda.re.is_finite() && lambda.im.is_finite()) {
         return Sensitivity::NotFinite;
     }

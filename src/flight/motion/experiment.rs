@@ -3,12 +3,14 @@
 use nalgebra::{Vector2, Vector4};
 
 use super::aerodynamics::Controls;
+use super::command::Command;
 use super::flight_path::{Excitation, FlightPath};
 use super::gusts::{air_across, air_along, gust, rate_columns};
 use super::inputs::Input;
 use super::modal_decomposition::single_mode;
 use super::path_rates::path_rates;
 use super::response::{DrivenSystem, Forcing, TimeGrid};
+use super::servos::Servos;
 use super::six_dof::{SixDof, SixDofError, Wind};
 use crate::flight::aircraft::edits::EditedModel;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
@@ -26,6 +28,8 @@ pub enum Channel {
     AirAlong,
     /// Air moving across the flight path \[m/s\]: w_g downward positive, or v_g to the right positive.
     AirAcross,
+    /// What a law of feedback is told to bring the aircraft to; without a law it does nothing.
+    Command(Command),
 }
 
 /// The state in which a motion begins.
@@ -70,10 +74,11 @@ pub fn forced(
     let forcing = |(channel, input): &(Channel, Input)| {
         let input = input.clone();
         match channel {
-            Channel::First => Forcing::new(model.b.column(0).into_owned(), input),
-            Channel::Second => Forcing::new(model.b.column(1).into_owned(), input),
+            Channel::First => Forcing::of_control(model.b.column(0).into_owned(), 0, input),
+            Channel::Second => Forcing::of_control(model.b.column(1).into_owned(), 1, input),
             Channel::AirAlong => gust(model, air_along(plane, alpha0), of_rate()[0], input),
             Channel::AirAcross => gust(model, air_across(plane, alpha0), of_rate()[1], input),
+            Channel::Command(command) => Forcing::commanding(*command, input),
         }
     };
     let (start, start_path) = initial(model, start, modes);
@@ -95,6 +100,16 @@ pub fn fly(
     experiment: &Experiment,
 ) -> Result<FlightPath, SixDofError> {
     let aircraft = SixDof::new(edited)?;
+    Ok(fly_from(&aircraft, initial(model, experiment.start, modes), experiment, None))
+}
+
+/// The flight of an aircraft from a state and a place on the path of its plane, with a law of feedback or without.
+pub fn fly_from(
+    aircraft: &SixDof,
+    (start, path): (Vector4<f64>, Vector2<f64>),
+    experiment: &Experiment,
+    servos: Option<&Servos<'_>>,
+) -> FlightPath {
     let inputs = &experiment.inputs;
     let of = |channel: Channel, t: f64| -> f64 {
         inputs.iter().filter(|(of, _)| *of == channel).map(|(_, input)| input.at(t)).sum()
@@ -119,7 +134,6 @@ pub fn fly(
         }
     };
     let edges: Vec<f64> = inputs.iter().flat_map(|(_, input)| input.edges()).collect();
-    let (start, path) = initial(model, experiment.start, modes);
     let none = Vector4::zeros();
     let (longitudinal, lateral, heading, position) = match plane {
         Plane::Longitudinal => (start, none, 0.0, [path[0], 0.0, path[1]]),
@@ -133,8 +147,9 @@ pub fn fly(
         lateral,
         heading,
         position,
+        servos,
     };
-    Ok(aircraft.fly(&excitation, experiment.grid))
+    aircraft.fly(&excitation, experiment.grid)
 }
 
 /// State and path at t = 0.

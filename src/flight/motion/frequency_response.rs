@@ -90,13 +90,11 @@ pub fn frequency_response(
 /// Local maxima of the gain, each with the oscillation whose natural frequency is nearest, found on the points and refined
 /// between them.
 pub fn peaks(
-    forced: &DrivenSystem,
-    row: &OutputRow,
-    input: usize,
+    value: &dyn Fn(f64) -> Option<Complex<f64>>,
     points: &[FrequencyPoint],
     modes: &[Mode],
 ) -> Vec<Peak> {
-    let gain = |frequency: f64| transfer(forced, row, input, frequency).map_or(0.0, |value| value.norm());
+    let gain = |frequency: f64| value(frequency).map_or(0.0, |value| value.norm());
     let mut found = Vec::new();
     for three in points.windows(3) {
         let [before, at, after] = three else { continue };

@@ -59,7 +59,7 @@ pub fn air_across(plane: Plane, alpha0: f64) -> Vector4<f64> {
 
 /// A gust: air that moves with the input in place of states, and the column of its rate of change.
 pub fn gust(model: &PlaneModel, air: Vector4<f64>, rate_column: Vector4<f64>, input: Input) -> Forcing {
-    Forcing { column: -(model.a * air), rate_column, air, input }
+    Forcing { rate_column, air, ..Forcing::new(-(model.a * air), input) }
 }
 
 /// Columns by which the rates of change of air along and across the flight path enter \[per m/s²\]: because nose and tail are in

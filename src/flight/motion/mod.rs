@@ -3,12 +3,15 @@
 //! ```text
 //! inputs, gusts, turbulence ──► experiment ──┬──► response (linear, exact) ──► outputs, modal_decomposition, course, response_metrics
 //!                                            │                 frequency_response: the same over frequency
-//!                                            └──► six_dof ──► flight_path (rigid_body, aerodynamics, integrator)
+//!                                            │                 transfer_function: the same by its zeros and poles
+//!                                            └──► six_dof ──► flight_path (rigid_body, aerodynamics, servos, integrator)
 //! ```
 //!
 //! `small_disturbance` tells how far the linear answer means anything.
 
 pub mod aerodynamics;
+pub mod command;
+pub mod control_limits;
 pub mod course;
 pub mod experiment;
 pub mod flight_path;
@@ -22,6 +25,8 @@ pub mod path_rates;
 pub mod response;
 pub mod response_metrics;
 pub mod rigid_body;
+pub mod servos;
 pub mod six_dof;
 pub mod small_disturbance;
+pub mod transfer_function;
 pub mod turbulence;

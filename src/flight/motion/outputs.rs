@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Vector2, Vector4};
 
+use super::command::Command;
 use super::flight_path::{FlightPath, Sample};
 use super::response::{DrivenSystem, Response};
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
@@ -139,6 +140,18 @@ impl Output {
             | Self::SideLoad
             | Self::Heading
             | Self::Offset => Plane::Lateral,
+        }
+    }
+
+    /// What a command is of.
+    pub const fn commanded(command: Command) -> Self {
+        match command {
+            Command::Speed => Self::ForwardSpeed,
+            Command::PitchAngle => Self::PitchAngle,
+            Command::Height => Self::Height,
+            Command::YawRate => Self::YawRate,
+            Command::BankAngle => Self::BankAngle,
+            Command::Heading => Self::Heading,
         }
     }
 

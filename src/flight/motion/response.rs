@@ -19,6 +19,7 @@
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, SMatrix, Vector2, Vector4};
 
+use super::command::Command;
 use super::inputs::Input;
 
 /// Where a growing motion stops being shown: some |x| above this many m/s, rad/s, rad or m.
@@ -64,6 +65,10 @@ pub struct Forcing {
     pub rate_column: Vector4<f64>,
     /// Velocity of the air for a unit of the input, as the states u, w or v that it stands in for; zero for controls.
     pub air: Vector4<f64>,
+    /// What it commands a law of feedback to; none of all else.
+    pub command: Option<Command>,
+    /// Which input of the plane it is, 0 or 1: where that is a state of the aircraft, it enters through its actuator. `None` for air.
+    pub control: Option<usize>,
     /// The input in time.
     pub input: Input,
 }
@@ -71,10 +76,27 @@ pub struct Forcing {
 impl Forcing {
     /// An input that enters by a column alone.
     pub fn new(column: Vector4<f64>, input: Input) -> Self {
-        Self { column, rate_column: Vector4::zeros(), air: Vector4::zeros(), input }
+        Self {
+            column,
+            rate_column: Vector4::zeros(),
+            air: Vector4::zeros(),
+            command: None,
+            control: None,
+            input,
+        }
     }
 
-    fn is_finite(&self) -> bool {
+    /// A command, which moves nothing by itself.
+    pub fn commanding(command: Command, input: Input) -> Self {
+        Self { command: Some(command), ..Self::new(Vector4::zeros(), input) }
+    }
+
+    /// An input of the plane, 0 or 1, by its column.
+    pub fn of_control(column: Vector4<f64>, control: usize, input: Input) -> Self {
+        Self { control: Some(control), ..Self::new(column, input) }
+    }
+
+    pub(in crate::flight) fn is_finite(&self) -> bool {
         self.input.is_finite()
             && self.column.iter().chain(&self.rate_column).chain(&self.air).all(|x| x.is_finite())
     }
@@ -142,37 +164,68 @@ pub fn respond(forced: &DrivenSystem, grid: TimeGrid) -> Response {
         response.cut_at = (steps > 0).then_some(dt);
         return response;
     }
+    let edges = forced.forcings.iter().flat_map(|forcing| forcing.input.edges()).collect();
+    response.cut_at = march(
+        edges,
+        grid,
+        at,
+        |length| Step::over(forced, length),
+        |step, from, t| step.advance(forced, from, t),
+        |place| {
+            // Written so that NaN is outside too.
+            let within = place.x.iter().chain(&place.path).all(|value| value.abs() <= CUT_LIMIT);
+            if within {
+                response.states.push(place.x);
+                response.path.push(place.path);
+            }
+            within
+        },
+    );
+    response
+}
+
+/// Goes from sample to sample of a grid whose first is kept already, and meets every edge of the inputs between two exactly: the step
+/// is split there. `over` makes the step of a length, `advance` takes it from a place at a time, `keep` keeps a place or says that the
+/// motion ends before it; then its time is the answer.
+pub(in crate::flight) fn march<P, S>(
+    mut edges: Vec<f64>,
+    grid: TimeGrid,
+    start: P,
+    over: impl Fn(f64) -> S,
+    advance: impl Fn(&S, &P, f64) -> P,
+    mut keep: impl FnMut(&P) -> bool,
+) -> Option<f64> {
+    let steps = if grid.duration > 0.0 && grid.duration.is_finite() { grid.steps } else { 0 };
+    if steps == 0 {
+        return None;
+    }
+    let dt = grid.time(1);
     // An edge this near to a sample is on it: the times of both are rounded.
     let near = 1e-9 * dt;
-    let mut edges: Vec<f64> = forced.forcings.iter().flat_map(|forcing| forcing.input.edges()).collect();
     edges.retain(|&edge| edge > near && edge < grid.duration);
     edges.sort_by(f64::total_cmp);
     let mut edges = edges.into_iter().peekable();
-    let whole = Step::over(forced, dt);
+    let whole = over(dt);
+    let mut at = start;
     for k in 1..=steps {
         let (mut t, next) = (grid.time(k - 1), grid.time(k));
         while edges.next_if(|&edge| edge <= t + near).is_some() {}
         if edges.peek().is_some_and(|&edge| edge < next - near) {
             while let Some(edge) = edges.next_if(|&edge| edge < next - near) {
                 if edge > t {
-                    at = Step::over(forced, edge - t).advance(forced, &at, t);
+                    at = advance(&over(edge - t), &at, t);
                     t = edge;
                 }
             }
-            at = Step::over(forced, next - t).advance(forced, &at, t);
+            at = advance(&over(next - t), &at, t);
         } else {
-            at = whole.advance(forced, &at, t);
+            at = advance(&whole, &at, t);
         }
-        // Written so that NaN is outside too.
-        let within = at.x.iter().chain(&at.path).all(|value| value.abs() <= CUT_LIMIT);
-        if !within || k > MOST_STEPS {
-            response.cut_at = Some(next);
-            break;
+        if k > MOST_STEPS || !keep(&at) {
+            return Some(next);
         }
-        response.states.push(at.x);
-        response.path.push(at.path);
     }
-    response
+    None
 }
 
 /// State that a constant unit input leads to, −A⁻¹ B; it is reached only if every mode decays. `None` if A is singular.
@@ -206,7 +259,7 @@ enum Gain {
 }
 
 /// Gauss–Legendre nodes and weights on (0, 1), six points (Abramowitz & Stegun, Table 25.4, moved from (−1, 1)).
-const NODES: [(f64, f64); 6] = [
+pub(in crate::flight) const NODES: [(f64, f64); 6] = [
     (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
     (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
     (0.380_690_406_958_401_55, 0.233_956_967_286_345_52),
@@ -217,10 +270,10 @@ const NODES: [(f64, f64); 6] = [
 
 /// A part of a smooth step is at most this long in units of 1/(|λ| + ω): the rule's error is then
 /// 2¹³ (6!)⁴/(13 (12!)³) ≈ 2·10⁻¹² of the twelfth derivative's scale, for the very fastest of it.
-const PART: f64 = 2.0;
+pub(in crate::flight) const PART: f64 = 2.0;
 
 /// Parts beyond these are not made; an input so fast that it would need more has no meaning for an aircraft.
-const MOST_PARTS: f64 = 200.0;
+pub(in crate::flight) const MOST_PARTS: f64 = 200.0;
 
 impl Step {
     /// Without an edge of any input inside.

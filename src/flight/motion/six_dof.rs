@@ -188,6 +188,14 @@ impl SixDof {
         ([u - speed * cos, w - speed * sin, q, pitch], [v, p, r, phi])
     }
 
+    /// The throttle that makes the thrust of the steady flight, in the unit of the throttle, where coefficients give the drag and
+    /// the engine; what takes all of it away is its negative.
+    pub fn steady_throttle(&self) -> Option<f64> {
+        let Aerodynamics::Coefficients(loads) = &self.aerodynamics else { return None };
+        let throttle = self.steady.thrust * loads.airframe.mass / loads.airframe.thrust_per_throttle;
+        (throttle.is_finite() && throttle > 0.0).then_some(throttle)
+    }
+
     /// The equations of motion: the rate of every number of the state.
     pub fn rate<T: Real>(&self, state: &State<T>, inputs: &Inputs<T>) -> State<T> {
         let Steady { alpha, elevator, thrust, residual } = self.steady;

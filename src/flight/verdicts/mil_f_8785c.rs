@@ -24,11 +24,11 @@ pub enum Class {
 
 keys! {
     Class {
-        I => "I" | "i",
-        II => "II" | "ii",
-        IICarrier => "II-C" | "ii-c",
-        III => "III" | "iii",
-        IV => "IV" | "iv",
+        I => "I",
+        II => "II",
+        IICarrier => "II-C",
+        III => "III",
+        IV => "IV",
     }
 }
 
@@ -59,10 +59,10 @@ pub enum Category {
 
 keys! {
     Category {
-        ACombat => "A-combat" | "a-combat",
-        A => "A" | "a",
-        B => "B" | "b",
-        C => "C" | "c",
+        ACombat => "A-combat",
+        A => "A",
+        B => "B",
+        C => "C",
     }
 }
 

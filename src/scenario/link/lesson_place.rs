@@ -2,6 +2,7 @@
 
 use super::notice::{Notice, quoted};
 use super::pieces::Pieces;
+use super::words;
 
 /// Longest address of a lesson \[characters\].
 const LONGEST_ADDRESS: usize = 200;
@@ -21,7 +22,7 @@ pub struct LessonPlace {
 }
 
 /// Keys that make no scene.
-const NOT_OF_SCENES: [&str; 3] = ["v", "lesson", "step"];
+const NOT_OF_SCENES: [&str; 5] = ["v", "lesson", "step", words::PRESENT, words::LOOK];
 
 impl LessonPlace {
     /// The pieces of a link, with an `&` before each.

@@ -73,6 +73,13 @@ pub enum Notice {
         /// Whether the link had changes to it.
         edited: bool,
     },
+    /// An aircraft in the link itself that can't be read.
+    Own {
+        /// What is wrong with it.
+        problem: String,
+        /// Name of the one that stands in.
+        instead: String,
+    },
     /// No such aircraft to compare with.
     Pinned {
         /// Its key.
@@ -97,6 +104,7 @@ impl Notice {
     pub fn unnamed(mut self, instead: &str) -> Self {
         let (Self::NotOf { aircraft: name, .. }
         | Self::Aircraft { instead: name, .. }
+        | Self::Own { instead: name, .. }
         | Self::Plane { aircraft: name }
         | Self::Page { aircraft: name, .. }) = &mut self
         else {

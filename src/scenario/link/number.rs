@@ -2,6 +2,7 @@
 
 use super::super::ValueError;
 use super::notice::quoted;
+use crate::number::shortest;
 
 /// After a number that is in SI where the key's unit is another: `0.1si` is 0.1 rad.
 const SI: &str = "si";
@@ -20,12 +21,6 @@ pub(super) fn write(value: f64, unit: f64) -> String {
         .chain([shortest(value) + SI])
         .min_by_key(String::len)
         .unwrap_or_default()
-}
-
-/// With an exponent only where that is shorter.
-fn shortest(value: f64) -> String {
-    let (plain, scientific) = (value.to_string(), format!("{value:e}"));
-    if scientific.len() < plain.len() { scientific } else { plain }
 }
 
 /// A value \[SI\] from a number in a unit.

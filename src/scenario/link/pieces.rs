@@ -5,10 +5,26 @@ use percent_encoding::percent_decode_str;
 use super::super::{Parameter, ValueError};
 use super::notice::{Notice, quoted};
 use super::words;
-use crate::key::nearest;
+use crate::flight::aircraft::plane::Plane;
+use crate::key::{Keyed, nearest};
 
 /// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
 pub const LONGEST: usize = 10_000;
+
+/// Before the point in the keys of gains.
+const GAIN: &str = "k.";
+
+/// The words of a list, which are joined by points; the point in the key of a gain joins nothing.
+fn words_of_list(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = Some(text);
+    std::iter::from_fn(move || {
+        let text = rest?;
+        let of_key = if text.starts_with(GAIN) { GAIN.len() } else { 0 };
+        let end = text[of_key..].find('.').map(|at| of_key + at);
+        rest = end.map(|end| &text[end + 1..]);
+        Some(end.map_or(text, |end| &text[..end]))
+    })
+}
 
 /// Keys and values of a link that have not been taken yet, and what was found wrong.
 pub(super) struct Pieces {
@@ -33,6 +49,7 @@ impl Pieces {
             let (key, value) = piece.split_once('=').unwrap_or((piece, ""));
             let [key, value] =
                 [key, value].map(|text| percent_decode_str(text).decode_utf8_lossy().into_owned());
+            let key = in_short(key);
             let before = pieces.rest.len();
             pieces.rest.retain(|(other, _)| *other != key);
             let told = Notice::Twice { key: quoted(&key) };
@@ -70,7 +87,7 @@ impl Pieces {
     pub fn take_list<T>(&mut self, key: &str, known: &[&str], read: impl Fn(&str) -> Option<T>) -> Vec<T> {
         let Some(text) = self.take(key) else { return Vec::new() };
         let mut values = Vec::new();
-        for word in text.split('.') {
+        for word in words_of_list(&text) {
             let Some(value) = read(word) else {
                 let nearest = nearest(word, known.iter().copied());
                 let [list, word] = [&text, word].map(quoted);
@@ -113,4 +130,10 @@ impl Pieces {
         self.notices.extend(unknown);
         self.notices
     }
+}
+
+/// A key with its plane in short: `lon.source` for `longitudinal.source`.
+fn in_short(key: String) -> String {
+    let Some((plane, rest)) = key.split_once('.') else { return key };
+    Plane::by_key(plane).map_or_else(|| key.clone(), |plane| format!("{}.{rest}", plane.short()))
 }

@@ -4,19 +4,24 @@
 //! A value that is no good is left out as a whole, with one sentence.
 
 use super::super::view::{
-    Camera, Details, Entries, EquationsView, FlightView, Instant, Marks, Overlays, Pace, Pane, ResponseView,
-    StandardView, Tab, Turn, View,
+    Camera, ChartView, Details, Entries, EquationsView, FlightView, Instant, Look, Marks, Overlays, Pace,
+    Pane, ResponseView, StandardView, Tab, Turn, View,
 };
-use super::super::{Hidden, Lock, Page, Parameter, Part, Scenario, Stage, parameters};
+use super::super::{Hidden, Lock, Page, Parameter, Part, Quantity, Scenario, Stage, parameters};
 use super::notice::Notice;
 use super::pieces::Pieces;
 use super::words;
+use crate::flight::Channel;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::outputs::Output;
 use crate::key::Keyed;
+use crate::number::shortest;
 
 /// Longest time of a playback that a link may tell \[s\]: longer than any motion that is shown.
 const LONGEST_TIME: f64 = 1e4;
+
+/// The inputs whose loop can be cut.
+const CUT: [Channel; 2] = [Channel::First, Channel::Second];
 
 impl View {
     /// The pieces of a link that differ from the page as it opens.
@@ -30,11 +35,23 @@ impl View {
 
     /// All pieces, in their order.
     fn pieces(&self) -> Vec<(String, String)> {
-        let Self { stage, page, maximised, marks, details, response, flight, equations } = self;
+        let Self {
+            stage,
+            presents,
+            look,
+            page,
+            maximised,
+            shows_open,
+            marks,
+            details,
+            response,
+            flight,
+            equations,
+        } = self;
         let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
         let mut pieces: Vec<(String, String)> = [
-            ("page", Some(page.in_links())),
-            ("tab", Some(response.tab.in_links())),
+            ("page", Some(page.key())),
+            ("tab", Some(response.tab.key())),
             ("flight", words::word_of(&words::FLIGHTS, response.nonlinear)),
         ]
         .map(|(key, value)| (key.to_owned(), word(value)))
@@ -42,12 +59,23 @@ impl View {
         for plane in Plane::ALL {
             let mut of_plane = |key, outputs: &[Output]| {
                 let keys: Vec<&str> = outputs.iter().map(|output| output.key()).collect();
-                pieces.push((format!("{}.{key}", plane.in_links()), keys.join(".")));
+                pieces.push((format!("{}.{key}", plane.short()), keys.join(".")));
             };
             of_plane("show", &response.shown[plane]);
             let portraits = response.portraits[plane].map(|(across, upward)| [across, upward]);
             of_plane("phase", portraits.as_flattened());
             of_plane("frequency_of", &[response.frequency_of[plane]]);
+            let cut = Quantity::of_input(plane, CUT[usize::from(response.cuts_second[plane])]);
+            pieces.push((format!("{}.loop_of", plane.short()), cut.key.to_owned()));
+            let ChartView { measure, over, lines } = &response.chart[plane];
+            let lines: Vec<String> = lines.iter().map(|line| shortest(*line)).collect();
+            for (key, value) in [
+                ("chart", measure.clone()),
+                ("over", word(over.map(|parameter| parameter.key))),
+                ("lines", lines.join("_")),
+            ] {
+                pieces.push((format!("{}.{key}", plane.short()), value));
+            }
         }
         for (key, value) in [
             ("stage", keys_of(stage.parts())),
@@ -55,14 +83,17 @@ impl View {
             ("hide", keys_of(stage.hidden())),
             ("lock", locks_text(stage)),
             ("type", hundredths(stage.type_size)),
+            (words::PRESENT, word(words::word_of(&words::PRESENTS, *presents))),
+            (words::LOOK, word(look.map(Keyed::key))),
+            ("feedback", word(words::word_of(&words::FEEDBACKS, *shows_open))),
             ("split", word(words::word_of(&words::SPLITS, response.split))),
             ("marks", listed(&words::MARKS, marks.flags())),
             ("details", listed(&words::DETAILS, details.flags())),
-            ("pane", word(maximised.map(Keyed::in_links))),
+            ("pane", word(maximised.map(Keyed::key))),
             ("camera", camera_text(flight.camera)),
             ("drawn", listed(&words::OVERLAYS, flight.overlays.flags())),
             ("turn", flight.turn.map_or_else(String::new, turn_text)),
-            ("entries", equations.entries.in_links().to_owned()),
+            ("entries", equations.entries.key().to_owned()),
             ("coloured", word(words::word_of(&words::COLOURED, equations.coloured))),
             ("rate", word(words::word_of(&words::RATES, flight.pace.rate))),
             ("loop", word(words::word_of(&words::LOOPS, flight.pace.is_looping))),
@@ -78,6 +109,9 @@ impl View {
     pub(super) fn read(pieces: &mut Pieces, scenario: &Scenario) -> Self {
         let mut view = Self::of(scenario);
         view.stage = read_stage(pieces, scenario);
+        view.presents = pieces.take_word(words::PRESENT, &words::PRESENTS).unwrap_or(view.presents);
+        view.look = pieces.take_as(words::LOOK, Look::by_key);
+        view.shows_open = pieces.take_word("feedback", &words::FEEDBACKS).unwrap_or(view.shows_open);
         view.response.read(pieces);
         if let Some([approximations, levels]) = pieces.take_as("marks", |text| flags(&words::MARKS, text)) {
             view.marks = Marks { approximations, levels };
@@ -111,7 +145,7 @@ impl ResponseView {
     /// Takes what there is one a plane, and whether motions are split.
     fn read(&mut self, pieces: &mut Pieces) {
         for plane in Plane::ALL {
-            let key = |key| format!("{}.{key}", plane.in_links());
+            let key = |key| format!("{}.{key}", plane.short());
             if let Some(mut shown) = pieces.take_as(&key("show"), |text| outputs(plane, text)) {
                 // In the order of the page, whatever the order of the link.
                 shown.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
@@ -126,6 +160,19 @@ impl ResponseView {
             if let Some([output]) = pieces.take_as(&key("frequency_of"), one) {
                 self.frequency_of[plane] = output;
             }
+            let input =
+                |text: &str| CUT.iter().position(|&channel| Quantity::of_input(plane, channel).key == text);
+            if let Some(input) = pieces.take_as(&key("loop_of"), input) {
+                self.cuts_second[plane] = input == 1;
+            }
+            let chart = &mut self.chart[plane];
+            let is_key = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-');
+            let measure =
+                |text: &str| (!text.is_empty() && text.chars().all(is_key)).then(|| text.to_lowercase());
+            chart.measure = pieces.take_as(&key("chart"), measure).unwrap_or_else(|| chart.measure.clone());
+            let slider = |text: &str| Parameter::find(text).filter(|parameter| parameter.page.is_some());
+            chart.over = pieces.take_as(&key("over"), slider);
+            chart.lines = pieces.take_as(&key("lines"), read_lines).unwrap_or_default();
         }
         self.split = pieces.take_word("split", &words::SPLITS).unwrap_or(self.split);
     }
@@ -193,11 +240,17 @@ fn read_type_size(text: &str) -> Option<f64> {
     hundredths(size).parse().ok()
 }
 
+/// Values of a measure in SI; a point between them would be one of theirs.
+fn read_lines(text: &str) -> Option<Vec<f64>> {
+    let lines = text.split('_').map(|line| line.parse().ok().filter(|x: &f64| x.is_finite()));
+    lines.collect::<Option<Vec<f64>>>().filter(|lines| lines.len() <= ChartView::MOST_LINES)
+}
+
 /// A standard view by its word, any other in whole degrees and per cent: short, and the same in every browser.
 fn camera_text(camera: Camera) -> String {
     let standard = StandardView::ALL.into_iter().find(|view| view.camera() == camera);
     match standard {
-        Some(view) => view.in_links().to_owned(),
+        Some(view) => view.key().to_owned(),
         None => {
             let [azimuth, elevation] =
                 [camera.azimuth, camera.elevation].map(|x| x.to_degrees().round() as i32);
@@ -238,12 +291,12 @@ fn outputs(plane: Plane, text: &str) -> Option<Vec<Output>> {
 
 /// Keys joined by points.
 fn keys_of<T: Keyed>(values: &[T]) -> String {
-    values.iter().map(|value| value.in_links()).collect::<Vec<_>>().join(".")
+    values.iter().map(|value| value.key()).collect::<Vec<_>>().join(".")
 }
 
 /// What is locked: first what has a word, then single parameters.
 fn locks_text(stage: &Stage) -> String {
-    let words = stage.locks().iter().map(|lock| lock.in_links());
+    let words = stage.locks().iter().map(|lock| lock.key());
     words.chain(stage.locked.iter().copied()).collect::<Vec<_>>().join(".")
 }
 
@@ -270,7 +323,7 @@ fn read_stage(pieces: &mut Pieces, scenario: &Scenario) -> Stage {
 }
 
 fn words_of<T: Keyed>() -> Vec<&'static str> {
-    T::VALUES.iter().map(|value| value.in_links()).collect()
+    T::VALUES.iter().map(|value| value.key()).collect()
 }
 
 fn keys_where(fits: impl Fn(&Parameter) -> bool) -> Vec<&'static str> {

@@ -6,6 +6,15 @@ pub(super) const ADDED: &str = "add.";
 /// Before the keys of the pinned state.
 pub(super) const PINNED: &str = "pin.";
 
+/// The units in which numbers are shown.
+pub(super) const UNITS: &str = "units";
+
+/// The notation in which equations are shown.
+pub(super) const NOTATION: &str = "notation";
+
+/// The aircraft itself, where it is none of those that ship.
+pub(super) const OWN: &str = "own";
+
 /// Class of aircraft that levels are judged for.
 pub(super) const CLASS: &str = "class";
 
@@ -29,6 +38,18 @@ pub(super) const LOOPS: [(&str, bool); 2] = [("off", false), ("on", true)];
 
 /// Whether the playback plays when the scene is opened.
 pub(super) const PLAYS: [(&str, bool); 2] = [("off", false), ("on", true)];
+
+/// Whether the aircraft is shown as it flies without its law of feedback.
+pub(super) const FEEDBACKS: [(&str, bool); 2] = [("closed", false), ("open", true)];
+
+/// How the page looks.
+pub(super) const LOOK: &str = "look";
+
+/// Whether the scene fills the screen.
+pub(super) const PRESENT: &str = "present";
+
+/// The same as a word.
+pub(super) const PRESENTS: [(&str, bool); 2] = [("off", false), ("on", true)];
 
 /// Seconds of motion played in a second.
 pub(super) const RATES: [(&str, f64); 9] = [
@@ -57,8 +78,9 @@ pub(super) const OVERLAYS: [&str; 9] =
 pub(super) const COLOURED: [(&str, Option<usize>); 5] =
     [("1", Some(0)), ("2", Some(1)), ("3", Some(2)), ("4", Some(3)), (NOTHING, None)];
 
-/// The mode flown alone, counted from one as a person does.
-pub(super) const MODES: [(&str, usize); 4] = [("1", 0), ("2", 1), ("3", 2), ("4", 3)];
+/// The mode flown alone, counted from one as a person does: as many as four states and those of a law have.
+pub(super) const MODES: [(&str, usize); 8] =
+    [("1", 0), ("2", 1), ("3", 2), ("4", 3), ("5", 4), ("6", 5), ("7", 6), ("8", 7)];
 
 pub(super) fn word_of<T: PartialEq>(words: &[(&'static str, T)], meaning: T) -> Option<&'static str> {
     words.iter().find(|(_, other)| *other == meaning).map(|(word, _)| *word)

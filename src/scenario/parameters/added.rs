@@ -33,6 +33,7 @@ impl Parameter {
             | Place::LateralCoefficient(_)
             | Place::Knob(_)
             | Place::Condition(_)
+            | Place::Feedback(_)
             | Place::Disturbance(_) => None,
         }
     }

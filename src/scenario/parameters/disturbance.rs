@@ -29,7 +29,7 @@ const fn row(
     }
 }
 
-pub(super) const ROWS: [Parameter; 26] = [
+pub(super) const ROWS: [Parameter; 32] = [
     row(
         "elevator",
         "δ_e",
@@ -232,6 +232,54 @@ pub(super) const ROWS: [Parameter; 26] = [
         (Dimension::Angle, -0.8, 0.8),
         ("Bank angle when the aircraft is let go.", "Positive is right wing down."),
         |s| &mut s.released.lateral[Phi.index()],
+    ),
+    row(
+        "to_theta",
+        "θ_c",
+        "commanded pitch angle",
+        (Dimension::Angle, -0.35, 0.35),
+        ("Pitch angle beyond the steady one that the law is told to bring about.", "Positive is nose-up."),
+        |s| &mut s.pitch_command,
+    ),
+    row(
+        "to_u",
+        "u_c",
+        "commanded speed",
+        (Dimension::Speed, -20.0, 20.0),
+        ("Speed beyond the steady one that the law is told to bring about.", "Positive is faster."),
+        |s| &mut s.speed_command,
+    ),
+    row(
+        "to_h",
+        "h_c",
+        "commanded height",
+        (Dimension::Length, -500.0, 500.0),
+        ("Height beyond the steady one that the law is told to bring about.", "Positive is higher."),
+        |s| &mut s.height_command,
+    ),
+    row(
+        "to_phi",
+        "φ_c",
+        "commanded bank angle",
+        (Dimension::Angle, -0.8, 0.8),
+        ("Bank angle that the law is told to bring about.", "Positive is right wing down."),
+        |s| &mut s.bank_command,
+    ),
+    row(
+        "to_r",
+        "r_c",
+        "commanded yaw rate",
+        (Dimension::AngularRate, -0.35, 0.35),
+        ("Yaw rate that the law is told to bring about.", "Positive is nose right."),
+        |s| &mut s.yaw_rate_command,
+    ),
+    row(
+        "to_psi",
+        "ψ_c",
+        "commanded heading",
+        (Dimension::Angle, -1.6, 1.6),
+        ("Heading beyond the steady one that the law is told to bring about.", "Positive is nose right."),
+        |s| &mut s.heading_command,
     ),
     row(
         "mode_size",

@@ -5,15 +5,18 @@ mod added;
 mod coefficients;
 mod dimensional;
 mod disturbance;
+mod feedback;
 mod knobs;
 mod matrix;
 mod rate;
 mod rows;
+mod written;
 
 use std::ops::RangeInclusive;
 
 pub use rows::parameters;
 use thiserror::Error;
+pub use written::Written;
 
 use super::{Dimension, Scenario, Sizes};
 use crate::content::Aircraft;
@@ -23,6 +26,7 @@ use crate::flight::aircraft::condition::FlightCondition;
 use crate::flight::aircraft::derivatives::{LateralDerivatives, LongitudinalDerivatives};
 use crate::flight::aircraft::knobs::Knobs;
 use crate::flight::aircraft::plane::Plane;
+use crate::flight::feedback::Law;
 use crate::key::keys;
 use crate::number::trimmed;
 
@@ -35,6 +39,8 @@ pub enum Page {
     Dimensional,
     /// Entries of A and B.
     Matrix,
+    /// Gains of a law of feedback, and its filters.
+    Feedback,
 }
 
 keys! {
@@ -42,19 +48,20 @@ keys! {
         Coefficients => "coefficients",
         Dimensional => "dimensional",
         Matrix => "matrix",
+        Feedback => "feedback",
     }
 }
 
 impl Page {
-    /// All, in the order of the derivatives pane.
-    pub const ALL: [Self; 3] = [Self::Coefficients, Self::Dimensional, Self::Matrix];
+    /// Those of the derivatives pane, in its order.
+    pub const ALL: [Self; 4] = [Self::Coefficients, Self::Dimensional, Self::Matrix, Self::Feedback];
 
     /// Whether an aircraft goes back that far.
     pub fn is_of(self, scenario: &Scenario) -> bool {
         match self {
             Self::Coefficients => matches!(scenario.edited.aircraft_model, AircraftModel::Coefficients(_)),
             Self::Dimensional => !matches!(scenario.edited.aircraft_model, AircraftModel::Matrices(_)),
-            Self::Matrix => true,
+            Self::Matrix | Self::Feedback => true,
         }
     }
 
@@ -95,6 +102,8 @@ pub enum Group {
     Rudder,
     /// Mach number.
     Mach,
+    /// Washouts and lags on the way of a feedback.
+    Filters,
     /// The disturbance.
     Disturbance,
 }
@@ -102,7 +111,7 @@ pub enum Group {
 impl Group {
     /// The groups of the derivatives pane, in its order: what can be seen on an aircraft, its stiffness and damping, then the
     /// rest, and last what is next to nothing at low speed.
-    pub const DERIVATIVES: [Self; 14] = [
+    pub const DERIVATIVES: [Self; 15] = [
         Self::Aircraft,
         Self::AngleOfAttack,
         Self::PitchRate,
@@ -116,6 +125,7 @@ impl Group {
         Self::Throttle,
         Self::Aileron,
         Self::Rudder,
+        Self::Filters,
         Self::Mach,
     ];
 }
@@ -133,6 +143,7 @@ enum Place {
     A(Plane, usize, usize, f64),
     /// Entry of B: row and column.
     B(Plane, usize, usize),
+    Feedback(fn(&mut Law) -> &mut f64),
     Disturbance(fn(&mut Sizes) -> &mut f64),
 }
 
@@ -218,6 +229,16 @@ impl Parameter {
         matches!(self.place, Place::Disturbance(_))
     }
 
+    /// Whether it is a gain of a law of feedback, and no washout or lag.
+    pub fn is_gain(&self) -> bool {
+        matches!(self.place, Place::Feedback(_)) && self.group != Group::Filters
+    }
+
+    /// Whether it is the time constant of a washout or a lag on the way of a feedback, of which zero is none.
+    pub fn is_filter(&self) -> bool {
+        self.group == Group::Filters
+    }
+
     /// Whether it stands on a page for the plane on screen.
     pub fn is_shown(&self, scenario: &Scenario, page: Page) -> bool {
         let of_plane = self.plane.is_none_or(|plane| plane == scenario.plane);
@@ -240,6 +261,7 @@ impl Parameter {
             | Place::LateralDerivative(_)
             | Place::A(..)
             | Place::B(..)
+            | Place::Feedback(_)
             | Place::Disturbance(_) => return None,
         };
         let own = self.value(scenario)?;
@@ -254,6 +276,7 @@ impl Parameter {
             &edited.aircraft_model,
             derivatives,
             || edited.models().ok(),
+            &scenario.law,
             &scenario.disturbance.sizes,
         )
     }
@@ -262,7 +285,8 @@ impl Parameter {
     fn baseline(&self, scenario: &Scenario) -> f64 {
         let Aircraft { aircraft_model, baseline, .. } = &*scenario.aircraft;
         let (derivatives, models) = (|| baseline.derivatives.clone(), || Some(baseline.models.clone()));
-        self.value_among(aircraft_model, derivatives, models, &Sizes::default()).unwrap_or(0.0)
+        self.value_among(aircraft_model, derivatives, models, &Law::default(), &Sizes::default())
+            .unwrap_or(0.0)
     }
 
     fn value_among(
@@ -270,6 +294,7 @@ impl Parameter {
         aircraft_model: &AircraftModel,
         derivatives: impl FnOnce() -> Option<DerivativeModel>,
         models: impl FnOnce() -> Option<Models>,
+        law: &Law,
         sizes: &Sizes,
     ) -> Option<f64> {
         let of_coefficients = match aircraft_model {
@@ -289,6 +314,10 @@ impl Parameter {
                 Some(sign * models()?.planes[plane].as_ref()?.a[(row, column)])
             }
             Place::B(plane, row, column) => Some(models()?.planes[plane].as_ref()?.b[(row, column)]),
+            Place::Feedback(of) => {
+                let is_there = self.plane.is_none_or(|plane| aircraft_model.has(plane));
+                is_there.then(|| read(of, law))
+            }
             Place::Disturbance(of) => Some(read(of, sizes)),
         }
     }
@@ -324,6 +353,7 @@ impl Parameter {
             Place::LateralCoefficient(of) => Some(of(of_coefficients?.coefficients.lateral.as_mut()?)),
             Place::Knob(of) => Some(of(&mut of_coefficients?.knobs)),
             Place::Condition(of) => Some(of(&mut of_coefficients?.condition)),
+            Place::Feedback(of) => Some(of(&mut scenario.law)),
             Place::Disturbance(of) => Some(of(&mut scenario.disturbance.sizes)),
             Place::LongitudinalDerivative(_) | Place::LateralDerivative(_) | Place::A(..) | Place::B(..) => {
                 None
@@ -339,6 +369,15 @@ impl Parameter {
             self.set(scenario, self.baseline(scenario));
             // The time shown follows the motion until somebody sets it.
             scenario.disturbance.follows |= self.key == "time";
+        }
+    }
+
+    /// Sets it to a value \[SI\]; at its reference nothing is left of an edit.
+    pub fn set_or_reset(&self, scenario: &mut Scenario, value: f64) {
+        if value == self.reference(scenario) {
+            self.reset(scenario);
+        } else {
+            self.set(scenario, value);
         }
     }
 
@@ -420,13 +459,13 @@ impl Parameter {
         if accepted.contains(&value) {
             return Ok(value);
         }
-        let unit = scenario.aircraft.length_unit;
-        let shown = |si: f64| trimmed(si / self.dimension.in_si(unit), 4);
+        let written = self.written(scenario.convention());
+        let shown = |si: f64| trimmed(si / written.in_si, 4);
         Err(ValueError::Absurd {
             value: shown(value),
             low: shown(*accepted.start()),
             high: shown(*accepted.end()),
-            unit: self.dimension.symbol(unit),
+            unit: written.unit,
         })
     }
 
@@ -434,7 +473,7 @@ impl Parameter {
     pub fn parse(&self, scenario: &Scenario, text: &str) -> Result<f64, ValueError> {
         let plain = text.trim().replace('−', "-").replace(',', ".");
         let shown: f64 = plain.parse().map_err(|_| ValueError::NotANumber(text.trim().to_owned()))?;
-        self.check(scenario, shown * self.dimension.in_si(scenario.aircraft.length_unit))
+        self.check(scenario, shown * self.written(scenario.convention()).in_si)
     }
 }
 

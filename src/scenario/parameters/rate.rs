@@ -49,7 +49,10 @@ impl Parameter {
                 let models = edited.models().ok()?;
                 models.planes[of].as_ref().and(models.planes[plane].as_ref()).map(|_| Matrix4::zeros())
             }
-            Place::Disturbance(_) => edited.models().ok()?.planes[plane].as_ref().map(|_| Matrix4::zeros()),
+            // A law leaves the aircraft's own A as it is.
+            Place::Feedback(_) | Place::Disturbance(_) => {
+                edited.models().ok()?.planes[plane].as_ref().map(|_| Matrix4::zeros())
+            }
         };
         rate.filter(|rate| rate.iter().all(|x| x.is_finite()))
     }

@@ -1,6 +1,6 @@
 //! The rows of all pages as one table.
 
-use super::{Parameter, coefficients, dimensional, disturbance, knobs, matrix};
+use super::{Parameter, coefficients, dimensional, disturbance, feedback, knobs, matrix};
 
 /// Every row of the table, in the order of the pages.
 pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
@@ -9,6 +9,7 @@ pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
         .chain(&knobs::ROWS)
         .chain(&dimensional::ROWS)
         .chain(&matrix::ROWS)
+        .chain(&feedback::ROWS)
         .chain(&disturbance::ROWS)
 }
 

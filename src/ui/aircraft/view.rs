@@ -34,7 +34,7 @@ const ZOOM_STEP: f32 = 1.15;
 /// The aircraft strays no farther from the middle than this, in radii.
 const FARTHEST_ASTRAY: f32 = 0.2;
 /// In less room the buttons are closer to each other.
-const NARROW: f32 = 230.0;
+const NARROW: f32 = 260.0;
 /// Width of a remark in the list of what is shown.
 const REMARK: f32 = 200.0;
 /// Radius of the aircraft seen from so far that it is a dot.
@@ -71,7 +71,7 @@ impl AircraftView {
     pub fn toolbar_ui(&mut self, ui: &mut Ui, FlightView { camera, overlays, turn, .. }: &mut FlightView) {
         ui.horizontal_wrapped(|ui| {
             let is_narrow = ui.available_width() < NARROW && !theme::is_for_fingers(ui);
-            ui.spacing_mut().button_padding.x = if is_narrow { 4.0 } else { 6.0 };
+            ui.spacing_mut().button_padding.x = if is_narrow { 3.0 } else { 6.0 };
             ui.spacing_mut().item_spacing.x = if is_narrow { 0.0 } else { 2.0 };
             ui.style_mut().override_font_id = Some(theme::small());
             for view in StandardView::ALL {

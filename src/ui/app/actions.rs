@@ -10,9 +10,11 @@ use crate::content::Aircraft;
 use crate::findings::{seen_in, watched_at};
 use crate::flight::aircraft::plane::Plane;
 use crate::scenario::view::{Instant, Pace, Pane};
-use crate::scenario::{Choice, Disturbance, Scenario, Source};
+use crate::scenario::{Choice, Disturbance, Scenario, Source, link};
+use crate::ui::copy;
 use crate::ui::keys::Command;
 use crate::ui::theme::Look;
+use crate::words;
 
 /// Something a person asked for that isn't the edit of a number. Applied last in a frame, in one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,8 +39,16 @@ pub enum Action {
     Help,
     /// Open the sheet of lessons.
     Lessons,
+    /// Fill the screen with the scene.
+    Present,
     /// Open the sheet of the aircraft's source.
     Source,
+    /// Open the sheet that takes the scene along.
+    TakeAlong,
+    /// Open the sheet of a person's own aircraft.
+    Import,
+    /// Study an aircraft of one's own, with what its file says was changed.
+    LoadOwn(Arc<Aircraft>),
 }
 
 impl App {
@@ -49,6 +59,14 @@ impl App {
             Command::Redo => return Some(Action::Redo),
             Command::Pin => return Some(if self.pinned.is_some() { Action::Unpin } else { Action::Pin }),
             Command::CopyLink => return Some(Action::CopyLink),
+            Command::Embed if self.panes.embed.is_some() => self.panes.embed = None,
+            Command::Embed => self.panes.embed = (!self.panes.is_framed).then(|| self.embedding()),
+            Command::Print => self.print(ui),
+            Command::Copy => copy::ask(ui.ctx()),
+            Command::TakeAlong if self.panes.take_along.is_some() => self.panes.take_along = None,
+            Command::TakeAlong => self.open_take_along(ui),
+            Command::Import if self.panes.import.is_some() => self.panes.import = None,
+            Command::Import => self.open_import(ui),
             Command::Play => self.panes.flight.toggle(),
             Command::Maximise(pane) => {
                 self.view.maximised = (self.view.maximised != Some(pane)).then_some(pane);
@@ -59,7 +77,10 @@ impl App {
                 (self.panes.help, self.panes.source) = (false, false);
             }
             Command::Restore => self.view.maximised = None,
+            Command::Present => self.view.presents = true,
             Command::Look => Look::of(ui.ctx()).next().set(ui.ctx()),
+            Command::Units => self.scenario.units = self.scenario.units.next(),
+            Command::Notation => self.scenario.notation = self.scenario.notation.next(),
             Command::Help => self.panes.help = !self.panes.help,
         }
         None
@@ -84,7 +105,14 @@ impl App {
                 let redone = self.history.redo(&before);
                 return self.restore(redone);
             }
-            Action::CopyLink => return self.share.copy(ui, &self.link_with_instant()),
+            Action::CopyLink => {
+                let link = self.link_with_instant();
+                self.share.copy(ui, &link, !self.panes.is_framed);
+                if !link::own::has_room(&self.scenario.aircraft) {
+                    self.share.warn(ui, words::view::TOO_LONG_FOR_A_LINK);
+                }
+                return;
+            }
             Action::Help => {
                 self.panes.help = true;
                 return;
@@ -93,10 +121,17 @@ impl App {
                 self.panes.source = true;
                 return;
             }
+            Action::Present => {
+                self.view.presents = true;
+                return;
+            }
             Action::Lessons => {
                 self.panes.lessons = true;
                 return;
             }
+            Action::TakeAlong => return self.open_take_along(ui),
+            Action::Import => return self.open_import(ui),
+            Action::LoadOwn(aircraft) => self.scenario = self.with_own(aircraft),
             Action::Load(aircraft) => self.scenario = self.scenario.with_aircraft(aircraft),
             Action::Turn(plane) => self.scenario.plane = plane,
             Action::Pin => self.pinned = Some(Arc::new(Pinned::new(before.scenario.clone()))),
@@ -121,7 +156,7 @@ impl App {
     /// Flies a mode alone, long enough to see what becomes of it, or goes back to what was before.
     pub(super) fn fly(&mut self, index: usize, flown: bool) {
         let plane = self.scenario.plane;
-        let mode = self.findings.modes().get(index);
+        let mode = self.findings.flown_modes().get(index);
         let (length, rate) = (mode.map(seen_in), mode.map(watched_at));
         let pace = &mut self.view.flight.pace;
         let disturbance = &mut self.scenario.disturbance;
@@ -153,7 +188,7 @@ impl App {
     pub(super) fn hold_mode(&mut self) {
         let plane = self.scenario.plane;
         let choice = self.scenario.disturbance.choices[plane];
-        let modes = self.findings.modes();
+        let modes = self.findings.flown_modes();
         if choice.source != Source::OneMode || modes.is_empty() {
             self.panes.held = None;
             return;
@@ -165,7 +200,8 @@ impl App {
             }
             _ => None,
         };
-        let index = moved_to.unwrap_or(choice.mode);
+        // One that a law had beside the four may be gone.
+        let index = moved_to.unwrap_or(choice.mode).min(modes.len() - 1);
         self.panes.held = name(index).map(|name| (plane, index, name));
         self.scenario.disturbance.choices[plane].mode = index;
     }

@@ -4,11 +4,12 @@ use std::rc::Rc;
 
 use egui::Ui;
 
-use super::{App, PhonePane};
+use super::{App, OwnFile, PhonePane};
 use crate::content::{ContentError, TextFile, lessons};
 use crate::lesson::{Course, Record};
 use crate::scenario::link::LessonPlace;
 use crate::ui::lesson::Session;
+use crate::words;
 
 /// The course as far as it is there.
 #[derive(Debug, Default)]
@@ -33,7 +34,7 @@ pub(super) enum LessonPane {
         place: LessonPlace,
         is_asked: bool,
     },
-    Open(Session),
+    Open(Box<Session>),
     /// Why it can't be opened, each a sentence.
     Faulty(Vec<String>),
 }
@@ -49,6 +50,15 @@ pub enum FileRequest {
     Pick,
     /// This one is to be saved.
     Save(TextFile),
+    /// A figure is to become a picture (PNG), saved or copied.
+    Picture {
+        /// The figure.
+        svg: TextFile,
+        /// Whether it is copied.
+        copies: bool,
+    },
+    /// A page is to be printed.
+    Print(String),
     /// Those that a person has dropped on the page.
     #[cfg(target_arch = "wasm32")]
     Dropped(Vec<egui::DroppedFileHandle>),
@@ -58,6 +68,11 @@ impl App {
     /// Says that files can be chosen and saved. They can always be dropped on the page.
     pub fn offer_files(&mut self) {
         self.panes.has_files = true;
+    }
+
+    /// Says that figures can become pictures, and that pages can be printed.
+    pub fn offer_pictures(&mut self) {
+        self.panes.has_pictures = true;
     }
 
     /// What is to be read for the page next.
@@ -90,6 +105,29 @@ impl App {
         }
     }
 
+    /// Opens what a person has chosen or dropped: lessons, reports and lists of links as [`Self::open_files`] does, all else as an
+    /// aircraft of their own.
+    pub fn open_own_files(&mut self, files: Result<Vec<OwnFile>, String>) {
+        let files = match files {
+            Ok(files) if files.is_empty() => return,
+            Ok(files) => files,
+            Err(problem) => return self.refuse_file(problem),
+        };
+        if !files.iter().any(is_of_lessons) {
+            return self.review_files(files);
+        }
+        self.panes.import = None;
+        let texts: Result<Vec<TextFile>, _> =
+            files.iter().map(|file| TextFile::from_bytes(&file.name, &file.bytes)).collect();
+        match texts {
+            Ok(texts) => self.open_files(&texts),
+            Err(error) => {
+                self.panes.lesson = LessonPane::Faulty(vec![format!("{error}.")]);
+                self.panes.phone_pane = PhonePane::Lesson;
+            }
+        }
+    }
+
     /// Opens what a person has brought: a lesson, with its glossary and references where they come along, or a report of what they
     /// have done elsewhere.
     pub fn open_files(&mut self, files: &[TextFile]) {
@@ -97,6 +135,11 @@ impl App {
         if let Some(lesson) = files.iter().find(|file| file.name.ends_with(".md")) {
             let address = LessonPlace::address_of(&lesson.name);
             return self.open_own(files, LessonPlace { address, step: 0, begins: true }, true);
+        }
+        let links =
+            files.iter().find(|file| file.name.to_lowercase().ends_with(".txt") && file.text.contains('#'));
+        if let Some(links) = links {
+            return self.open_links(&links.text);
         }
         let is_report = |file: &&TextFile| file.name.ends_with(".html") || file.name.ends_with(".json");
         match files.iter().find(is_report) {
@@ -115,7 +158,7 @@ impl App {
 
     /// Opens the lesson of these files; what is wrong with them is said where it would stand. Those that nobody else has are kept
     /// with what is done in it.
-    fn open_own(&mut self, files: &[TextFile], place: LessonPlace, keeps: bool) {
+    pub(super) fn open_own(&mut self, files: &[TextFile], place: LessonPlace, keeps: bool) {
         let course = Course::read(files);
         let course = match self.course() {
             Some(shipped) => course.with_shelf(&shipped.shelf),
@@ -158,6 +201,9 @@ impl App {
     /// Opens the lesson that is wanted once it is here, and what was dropped on the page.
     pub(super) fn attend_lesson(&mut self, ui: &Ui) {
         self.take_dropped(ui);
+        if let LessonPane::Open(session) = &mut self.panes.lesson {
+            session.tell_as(&self.scenario);
+        }
         let LessonPane::Coming { place, is_asked: false } = &self.panes.lesson else { return };
         let place = place.clone();
         let Some(course) = self.course() else { return };
@@ -180,16 +226,20 @@ impl App {
         if dropped.is_empty() {
             return;
         }
+        if self.is_kept() {
+            self.share.show(ui, words::view::KEPT);
+            return;
+        }
         #[cfg(target_arch = "wasm32")]
         self.panes.file_requests.push(FileRequest::Dropped(dropped));
         #[cfg(not(target_arch = "wasm32"))]
         {
             let read = |file: &egui::DroppedFileHandle| {
                 let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
-                TextFile::from_bytes(&name, &file.bytes()?).map_err(|error| error.to_string())
+                Ok(OwnFile { name, bytes: file.bytes()? })
             };
             let files = dropped.iter().map(read).collect();
-            self.receive(&FileRequest::Pick, files);
+            self.open_own_files(files);
         }
     }
 
@@ -205,6 +255,9 @@ impl App {
             // Another lesson in a file of the same name: what was answered in the old one says nothing here.
             before = Record { files: before.files, ..Record::default() };
         }
+        if before.seed.is_empty() && lesson.varies() {
+            before.seed = self.records.person.clone();
+        }
         let begins = place.begins;
         let (done, count) = before.done(lesson);
         if begins && place.step == 0 && done < count {
@@ -213,7 +266,7 @@ impl App {
         }
         match Session::open(lesson.clone(), course.shelf.clone(), place, before, &self.aircraft) {
             Ok(session) => {
-                self.panes.lesson = LessonPane::Open(session);
+                self.panes.lesson = LessonPane::Open(Box::new(session));
                 if begins {
                     self.open_step();
                 }
@@ -221,6 +274,16 @@ impl App {
             Err(error) => self.panes.lesson = LessonPane::Faulty(sentences(&[error])),
         }
     }
+}
+
+/// Whether a file is a lesson, a report or a list of links, by its name and its first words.
+fn is_of_lessons(file: &OwnFile) -> bool {
+    let name = file.name.to_lowercase();
+    let holds = |words: &str| file.bytes.windows(words.len()).any(|part| part == words.as_bytes());
+    name.ends_with(".md")
+        || name.ends_with(".html")
+        || name.ends_with(".txt") && (holds("#v=") || holds("ac="))
+        || name.ends_with(".json") && holds("\"lessons\"")
 }
 
 fn sentences(errors: &[ContentError]) -> Vec<String> {

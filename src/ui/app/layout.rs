@@ -10,6 +10,7 @@ use crate::scenario::{Lock, Part, Stage};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::Rows;
 use crate::ui::finger;
+use crate::ui::take_along::take_pane;
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -21,12 +22,16 @@ const BARE: [f32; 2] = [360.0, 600.0];
 const PANE_GAP: f32 = 10.0;
 /// Height of an aircraft turned by hand with its sliders, on a phone.
 const TURNED: f32 = 440.0;
+/// Height of the pole map on a phone, with its choices.
+const MAP_ON_PHONE: f32 = 276.0;
+/// Least height of what stands below the pole map on a phone.
+const BELOW_MAP: f32 = 180.0;
 /// Of more tabs of a phone each is narrower.
 const MOST_TABS: usize = 4;
 /// In a narrower pane the heading has a row of its own.
-const SLIM: f32 = 265.0;
-/// At the right end of a heading, for the button that puts the pane alone beside the sliders.
-pub(super) const CORNER: f32 = 22.0;
+const SLIM: f32 = 295.0;
+/// At the right end of a heading, for the buttons that take the pane along and put it alone beside the sliders.
+pub(super) const CORNER: f32 = 37.0;
 
 impl App {
     /// Sliders on the left.
@@ -40,7 +45,10 @@ impl App {
             })
             .resizable(false)
             .frame(side_frame(ui))
-            .show(ui, |ui| self.derivatives_ui(ui, Rows::Dense));
+            .show(ui, |ui| {
+                theme::landmark(ui, "Sliders");
+                self.derivatives_ui(ui, Rows::Dense);
+            });
     }
 
     /// Poles and responses in the middle, modes right or, on a tablet, below.
@@ -49,17 +57,17 @@ impl App {
         let mut action = None;
         if wide && self.has_lesson() {
             // In the place of the modes, whose cards would give the answers away.
-            Panel::right("lesson")
-                .exact_size(340.0)
-                .resizable(false)
-                .frame(side_frame(ui))
-                .show(ui, |ui| self.lesson_ui(ui));
+            Panel::right("lesson").exact_size(340.0).resizable(false).frame(side_frame(ui)).show(ui, |ui| {
+                theme::landmark(ui, "Step of the lesson");
+                self.lesson_ui(ui);
+            });
         } else if wide && self.view.stage.has(Part::Modes) {
             action = Panel::right("modes")
                 .exact_size(286.0)
                 .resizable(false)
                 .frame(side_frame(ui))
                 .show(ui, |ui| {
+                    theme::landmark(ui, "Verdicts and cards");
                     let area = ScrollArea::vertical().auto_shrink(false);
                     finger::scroll_area_ui(ui, "modes", area, |ui| self.modes_ui(ui))
                 })
@@ -146,6 +154,20 @@ impl App {
         !beside && ui.available_height() >= BARE[usize::from(two)]
     }
 
+    /// The least height of so many rows of panes that have room for all that is in them \[points\].
+    pub(super) const fn height_of_rows(rows: usize) -> f32 {
+        match rows {
+            0 => 0.0,
+            1 => BARE[0],
+            _ => BARE[1],
+        }
+    }
+
+    /// The height of what a phone shows below the bar, with the pole map or without \[points\].
+    pub(super) const fn height_on_phone(has_map: bool) -> f32 {
+        BARE[0] + if has_map { MAP_ON_PHONE } else { 0.0 }
+    }
+
     /// What goes on in a pane that is not on the stage.
     fn go_on_unseen(&mut self, ui: &Ui) {
         if !self.view.stage.has(Part::Response) {
@@ -162,14 +184,18 @@ impl App {
         let ground = Frame::new().fill(palette.pane).inner_margin(Margin::symmetric(10, 6));
         // A finger going up or down on the map scrolls what is below, as if the map were a part of it.
         let below = finger::last_background(ui);
-        if self.view.stage.has(Part::Poles) {
-            Panel::top("poles").exact_size(276.0).resizable(false).frame(ground).show(ui, |ui| {
+        // Enlarged, or on its side, a phone may have no room for the map above the panes: then it is one of them.
+        let is_low = ui.available_height() < MAP_ON_PHONE + BELOW_MAP;
+        if self.view.stage.has(Part::Poles) && !is_low {
+            Panel::top("poles").exact_size(MAP_ON_PHONE).resizable(false).frame(ground).show(ui, |ui| {
+                theme::landmark(ui, words::view::landmark(Pane::Poles));
                 ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
                 finger::scrolls_ui(ui, below, |ui| self.poles_ui(ui));
             });
         }
         let panes = [
             (PhonePane::Derivatives, Part::Derivatives, "Derivatives"),
+            (PhonePane::Poles, Part::Poles, "Poles"),
             (PhonePane::Modes, Part::Modes, "Modes"),
             (PhonePane::Response, Part::Response, "Response"),
             (PhonePane::Aircraft, Part::Aircraft, "Aircraft"),
@@ -178,7 +204,11 @@ impl App {
         let enlarged = self.view.maximised == Some(Pane::Equations);
         let of_lesson = self.has_lesson().then_some((PhonePane::Lesson, "Lesson"));
         let staged = panes.iter().filter(|(pane, part, _)| {
-            let is_on = *pane != PhonePane::Derivatives || self.has_sliders();
+            let is_on = match pane {
+                PhonePane::Derivatives => self.has_sliders(),
+                PhonePane::Poles => is_low,
+                _ => true,
+            };
             self.view.stage.has(*part) && is_on || *pane == PhonePane::Equations && enlarged
         });
         let staged: Vec<(PhonePane, &str)> =
@@ -216,6 +246,17 @@ impl App {
             }
             PhonePane::Derivatives => {
                 self.derivatives_ui(ui, Rows::Touch);
+                None
+            }
+            PhonePane::Poles => {
+                let height = MAP_ON_PHONE.max(ui.available_height());
+                let area = ScrollArea::vertical().auto_shrink(false);
+                finger::scroll_area_ui(ui, "map", area, |ui| {
+                    ui.set_max_height(height);
+                    ui.horizontal(|ui| self.pole_choices_ui(ui, Rows::Touch));
+                    self.poles_ui(ui);
+                });
+                self.play(ui);
                 None
             }
             PhonePane::Modes => {
@@ -258,6 +299,7 @@ impl App {
     pub(super) fn pane_ui(&mut self, ui: &mut Ui, pane: Pane, room: Rect) {
         // A place of its own: what is put into it moves nothing outside.
         let ui = &mut ui.new_child(UiBuilder::new().id_salt(pane).max_rect(room));
+        theme::landmark(ui, words::view::landmark(pane));
         let frame = theme::pane(Palette::of(ui));
         let inner = room - frame.total_margin();
         // Before what is drawn over it, so that controls on it come first. Not a stop of the Tab key: its button is.
@@ -300,6 +342,16 @@ impl App {
             }
         });
         let maximised = self.view.maximised == Some(pane);
+        if !Curtain::of(ui).keeps() {
+            let corner = Rect::from_min_size(room.right_top() + Vec2::new(-50.0, 5.0), Vec2::new(18.0, 24.0));
+            ui.spacing_mut().button_padding.x = 2.0;
+            let sign = RichText::new("⋯").color(Palette::of(ui).weak);
+            let name = take_pane(pane);
+            let button = ui.put(corner, Button::selectable(false, sign)).accessible_name(name);
+            if button.on_hover_text(format!("{name}: figure, data")).clicked() {
+                self.take_pane_along(ui, pane);
+            }
+        }
         let corner = Rect::from_min_size(room.right_top() + Vec2::new(-32.0, 5.0), Vec2::splat(24.0));
         let name = words::view::maximise(pane);
         let sign = RichText::new(if maximised { "■" } else { "□" }).color(Palette::of(ui).weak);
@@ -319,7 +371,7 @@ impl App {
 
 impl Pane {
     /// The part of the stage that it is.
-    const fn part(self) -> Part {
+    pub(super) const fn part(self) -> Part {
         match self {
             Self::Poles => Part::Poles,
             Self::Aircraft => Part::Aircraft,

@@ -6,6 +6,7 @@ use super::App;
 use super::course::{CourseState, FileRequest, LessonPane};
 use crate::scenario::link::LessonPlace;
 use crate::scenario::{Part, Stage};
+use crate::ui::curtain::Curtain;
 use crate::ui::finger;
 use crate::ui::lesson::{Chosen, Offer, Session, Wish, lesson_ui, lessons_sheet_ui, references_sheet_ui};
 use crate::ui::theme::{self, Palette};
@@ -13,6 +14,8 @@ use crate::ui::theme::{self, Palette};
 impl App {
     /// The sheet of lessons or that of references, where it is open.
     pub(super) fn lessons_ui(&mut self, ui: &Ui) {
+        // Whatever has asked for it.
+        self.panes.lessons &= !self.is_kept();
         if self.panes.references
             && let Some(course) = self.course()
         {
@@ -36,6 +39,9 @@ impl App {
                 self.want_lesson(LessonPlace { address: key, step: 0, begins: true });
             }
             Some(Chosen::File) => self.panes.file_requests.push(FileRequest::Pick),
+            Some(Chosen::Links) => {
+                self.panes.deck.get_or_insert_default();
+            }
             Some(Chosen::References) => self.panes.references = true,
             Some(Chosen::Report) => self.save_report(),
             Some(Chosen::Again) => {
@@ -88,7 +94,9 @@ impl App {
                 ui.label("The lesson is on its way.");
                 None
             }
-            LessonPane::Open(session) => lesson_ui(ui, session, &self.findings, &self.aircraft),
+            LessonPane::Open(session) => {
+                lesson_ui(ui, session, &self.records.person, &self.findings, &self.aircraft)
+            }
             LessonPane::Faulty(sentences) => faults_ui(ui, sentences),
         };
         match wish {
@@ -98,11 +106,31 @@ impl App {
             Some(Wish::Lesson(address)) => {
                 self.want_lesson(LessonPlace { address, step: 0, begins: true });
             }
+            Some(Wish::Present) => self.view.presents = true,
+            Some(Wish::Person(person)) => self.take_person(person),
+            Some(Wish::HandIn(place)) => {
+                let session = self.session();
+                let link = session.and_then(|session| session.handed_in(place, &self.records.person));
+                if let Some(link) = link {
+                    self.share.copy(ui, &link, false);
+                }
+            }
             Some(Wish::Lessons) => self.panes.lessons = true,
             Some(Wish::Close) => self.close_lesson(),
             None => return,
         }
         ui.request_repaint();
+    }
+
+    /// Takes the name that was asked for, with the numbers that follow from it.
+    fn take_person(&mut self, person: String) {
+        if let LessonPane::Open(session) = &mut self.panes.lesson
+            && session.take_name(&person, &self.aircraft)
+        {
+            self.open_step();
+        }
+        self.records.person = person;
+        self.records_changed = true;
     }
 
     /// Closes the lesson; its stage goes with it.
@@ -115,15 +143,18 @@ impl App {
     pub(super) fn open_step(&mut self) {
         let Some(session) = self.session() else { return };
         let (link, offered) = (session.link().to_owned(), session.offered());
+        let presents = self.view.presents;
         self.open(&link);
+        self.view.presents |= presents;
         if self.view.stage.offered.is_empty() {
             self.view.stage.offered = offered;
         }
     }
 
-    fn open_scene(&mut self, link: &str) {
-        let stage = self.view.stage.clone();
+    pub(super) fn open_scene(&mut self, link: &str) {
+        let (stage, presents) = (self.view.stage.clone(), self.view.presents);
         self.open(link);
+        self.view.presents |= presents;
         if self.view.stage == Stage::default() {
             // A scene within a step leaves the sliders that are offered.
             self.view.stage = stage;
@@ -138,6 +169,9 @@ fn faults_ui(ui: &mut Ui, sentences: &[String]) -> Option<Wish> {
     theme::heading(ui, title, 2);
     for sentence in sentences {
         ui.label(RichText::new(format!("⚠ {sentence}")).color(palette.bad));
+    }
+    if Curtain::of(ui).keeps() {
+        return None;
     }
     ui.add_space(8.0);
     ui.add(Button::new("Close")).accessible_name("Close the lesson").clicked().then_some(Wish::Close)

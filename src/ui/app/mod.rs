@@ -1,15 +1,23 @@
 //! The application: its state, one frame, and the few things that are not edits of a slider.
 
 mod actions;
+mod core_module;
 mod course;
+mod events;
+mod frame;
 mod greeting;
 mod history;
+mod import;
 mod layout;
+mod lecture;
 mod lesson;
 mod panes;
 mod pinned;
+mod present;
 mod records;
+mod spoken;
 mod staged;
+mod take_along;
 
 use std::rc::Rc;
 use std::sync::Arc;
@@ -17,14 +25,18 @@ use std::sync::Arc;
 use egui::{Context, Frame, Margin, Panel, Ui};
 
 pub use actions::Action;
+pub use core_module::{CoreRequest, OwnFile};
 pub use course::FileRequest;
 pub use pinned::Pinned;
 
 use self::course::{CourseState, LessonPane};
+use self::events::Events;
 use self::history::{History, Scene};
+use self::present::Lecture;
+use self::spoken::Verdict;
 use self::staged::Held;
 
-use crate::content::{Aircraft, ContentError, embedded_aircraft};
+use crate::content::{Aircraft, ContentError, TextFile, embedded_aircraft};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::flight::modes::mode_name::ModeName;
@@ -32,15 +44,21 @@ use crate::lesson::Records;
 use crate::scenario::link::{self, Notice};
 use crate::scenario::{Choice, Hidden, Scenario, Source, View};
 use crate::ui::curtain::Curtain;
+use crate::ui::embed::Embedding;
 use crate::ui::equations::EquationsPane;
+use crate::ui::feedback::LeastGainSaid;
 use crate::ui::flight_pane::FlightPane;
+use crate::ui::import::Importing;
 use crate::ui::influence::Strongest;
 use crate::ui::keys;
 use crate::ui::poles::{DragPhase, PoleMap};
+use crate::ui::present::Deck;
 use crate::ui::responses::Responses;
-use crate::ui::share::Share;
+use crate::ui::room;
+use crate::ui::share::{Offer, Share};
 use crate::ui::source_sheet::source_sheet_ui;
-use crate::ui::theme::{self, Palette};
+use crate::ui::take_along::TakeAlong;
+use crate::ui::theme::{self, Look, Palette};
 use crate::ui::top_bar::{Bar, top_bar_ui};
 use crate::ui::why::Why;
 use crate::words;
@@ -52,6 +70,9 @@ const CRAMPED: f32 = 860.0;
 /// Below this width the modes stand under the responses, not beside them.
 const TABLET: f32 = 1180.0;
 
+/// From this width the top bar has room for the less common tools.
+const AMPLE: f32 = 1320.0;
+
 /// The panes of a phone, of which one is on screen below the pole map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum PhonePane {
@@ -59,6 +80,8 @@ enum PhonePane {
     Lesson,
     #[default]
     Derivatives,
+    /// The pole map, where there is no room to have it above all panes.
+    Poles,
     Modes,
     Response,
     Aircraft,
@@ -76,6 +99,18 @@ struct Panes {
     help: bool,
     /// Whether the sheet of lessons is open.
     lessons: bool,
+    /// The sheet that makes a frame of the scene, where it is open.
+    embed: Option<Embedding>,
+    /// The sheet that takes the scene along, where it is open.
+    take_along: Option<TakeAlong>,
+    /// A text that is to be copied in the next frame.
+    copied: Option<String>,
+    /// The sheet of a person's own aircraft, where it is open.
+    import: Option<Importing>,
+    /// How many questions about files have been asked.
+    files_asked: u64,
+    /// What the core as a module is to be asked.
+    core_requests: Vec<CoreRequest>,
     /// Whether the sheet of references is open.
     references: bool,
     course: CourseState,
@@ -84,6 +119,8 @@ struct Panes {
     file_requests: Vec<FileRequest>,
     /// Whether files can be chosen and saved.
     has_files: bool,
+    /// Whether figures can become pictures, and pages be printed.
+    has_pictures: bool,
     /// Whether the line for a first visit is on screen.
     greets: bool,
     /// Whether the sheet of the aircraft's source is open.
@@ -97,6 +134,8 @@ struct Panes {
     /// Key of a slider to go to.
     asked: Option<&'static str>,
     strongest: Strongest,
+    /// What came of the last search for a least gain.
+    least_gain: Option<LeastGainSaid>,
     why: Why,
     phone_pane: PhonePane,
     /// The mode that is flown alone: its plane, its place among the modes, and its name.
@@ -105,6 +144,20 @@ struct Panes {
     before_flight: ByPlane<Option<(Choice, f64, f64)>>,
     /// What is locked, as it was when the frame began; nothing where another scene has been opened since.
     locked: Option<Held>,
+    /// The lecture, while there is one.
+    lecture: Option<Lecture>,
+    /// The verdict that was last on screen.
+    verdict: Option<Verdict>,
+    /// What was done in the lecture before the page was loaded again, and how long ago it began \[s\].
+    kept_lecture: Option<(String, f64)>,
+    /// The lecture that is being made of links.
+    deck: Option<Deck>,
+    /// Whether the page stands in a frame of another page.
+    is_framed: bool,
+    /// The look that the link of the scene has put in force.
+    lent: Option<Look>,
+    /// Height of the bar and of what stands above the panes \[points\].
+    above: f32,
     /// The size of type that is in force.
     type_size: Option<f32>,
     /// Whether this frame has said why nothing can be shown; once is enough.
@@ -137,6 +190,11 @@ pub struct App {
     records: Records,
     /// Whether they have changed since they were last taken.
     records_changed: bool,
+    /// Files of a person's own aircraft that are kept on this device.
+    own_files: Vec<TextFile>,
+    /// Whether they have changed since they were last taken.
+    own_files_changed: bool,
+    events: Events,
 }
 
 impl App {
@@ -169,6 +227,9 @@ impl App {
             panes: Panes { explained: "cm_alpha", ..Panes::default() },
             records: Records::default(),
             records_changed: false,
+            own_files: Vec::new(),
+            own_files_changed: false,
+            events: Events::default(),
         })
     }
 
@@ -218,7 +279,10 @@ impl App {
             self.history.end_step(&self.scene());
         }
         self.pinned = opened.pinned.map(|scenario| Arc::new(Pinned::new(scenario)));
-        self.scenario = opened.scenario;
+        // Who reads feet goes on reading feet.
+        let units = opened.units.unwrap_or(self.scenario.units);
+        let notation = opened.notation.unwrap_or(self.scenario.notation);
+        self.scenario = Scenario { units, notation, ..opened.scenario };
         self.view = opened.view;
         self.go_to_equations();
         // From here on it is that of the playback.
@@ -253,7 +317,10 @@ impl App {
     pub fn ui(&mut self, ui: &mut Ui) {
         self.panes.problem_said = false;
         self.attend_lesson(ui);
+        self.attend_presentation(ui);
         self.fit_type(ui);
+        self.fit_look(ui);
+        room::begin(ui.ctx());
         self.hang_curtain(ui);
         self.take_hold();
         // First of all, so that the sliders are drawn where the drag of a pole has brought them.
@@ -262,13 +329,63 @@ impl App {
         self.hold_locked();
 
         let width = ui.content_rect().width();
-        let (phone, wide) = (width < PHONE, width >= TABLET);
+        let (phone, wide) = (width < PHONE && !self.view.presents, width >= TABLET);
         if theme::make_room(ui.ctx(), phone) {
             ui.request_discard("controls are of another height from now on");
         }
+        let asked = if self.view.presents {
+            self.present_ui(ui);
+            None
+        } else {
+            self.workbench_ui(ui, width, (phone, wide))
+        };
+        self.hold_locked();
+        self.lessons_ui(ui);
+        self.deck_ui(ui);
+        self.embed_ui(ui);
+        self.take_along_ui(ui);
+        let by_import = self.import_ui(ui);
+        if self.panes.help {
+            let (help, wish) = keys::sheet_ui(ui, &mut self.scenario);
+            self.panes.help = help;
+            self.follow_wish(ui, wish);
+            self.hold_locked();
+        }
+        if self.panes.source && !Curtain::of(ui).hides_source() {
+            let is_edited = self.scenario.is_edited();
+            self.panes.source = source_sheet_ui(ui, &self.scenario.aircraft, is_edited);
+        }
+
+        if let Some(action) = asked.or(by_key).or(by_import) {
+            self.apply(action, ui);
+            self.hold_locked();
+            // What it changed beside the scenario, such as a pin, is drawn in the next frame, which no event may bring.
+            ui.request_repaint();
+        }
+        self.copy_by_key(ui);
+        match self.share.word_ui(ui) {
+            Some(Offer::Embed) => self.panes.embed = Some(self.embedding()),
+            Some(Offer::TakeAlong) => self.open_take_along(ui),
+            None => {}
+        }
+        self.follow(ui);
+        self.hold_mode();
+        if !self.is_found() {
+            // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
+            ui.request_discard("the scenario changed");
+        }
+        self.history.settle(ui, hand, &self.scene());
+        self.keep_record(ui);
+        self.say_verdict(ui);
+        self.note_events(ui);
+    }
+
+    /// The bar, the sliders and the panes. Gives what was asked for in them.
+    fn workbench_ui(&mut self, ui: &mut Ui, width: f32, (phone, wide): (bool, bool)) -> Option<Action> {
         let by_bar = self.top_bar_ui(ui, width);
         self.share.notices_ui(ui);
         self.greeting_ui(ui);
+        self.panes.above = ui.content_rect().height() - ui.available_height();
         self.refresh();
         self.hang_curtain(ui);
         if !phone && self.has_sliders() {
@@ -279,33 +396,7 @@ impl App {
             self.hang_curtain(ui);
         }
         let by_pane = if phone { self.phone_ui(ui) } else { self.desk_ui(ui, wide) };
-        self.hold_locked();
-        self.lessons_ui(ui);
-        if self.panes.help {
-            let (help, lessons) = keys::sheet_ui(ui);
-            self.panes.help = help;
-            self.panes.lessons |= lessons;
-        }
-        if self.panes.source && !Curtain::of(ui).hides_source() {
-            let is_edited = self.scenario.is_edited();
-            self.panes.source = source_sheet_ui(ui, &self.scenario.aircraft, is_edited);
-        }
-
-        if let Some(action) = by_pane.or(by_bar).or(by_key) {
-            self.apply(action, ui);
-            self.hold_locked();
-            // What it changed beside the scenario, such as a pin, is drawn in the next frame, which no event may bring.
-            ui.request_repaint();
-        }
-        self.share.copied_ui(ui);
-        self.follow(ui);
-        self.hold_mode();
-        if *self.findings.scenario() != self.scenario {
-            // Something drawn after a view has edited the scenario: draw this frame again before it is shown.
-            ui.request_discard("the scenario changed");
-        }
-        self.history.settle(ui, hand, &self.scene());
-        self.keep_record(ui);
+        by_pane.or(by_bar)
     }
 
     /// Moves a pole that is dragged or moved by key.
@@ -326,11 +417,17 @@ impl App {
             scenario: &self.scenario,
             pinned: self.pinned.as_deref(),
             history: (self.history.has_undo(&scene), self.history.has_redo(&scene)),
+            kept: self.is_kept(),
             narrow: width < CRAMPED,
             roomy: width >= TABLET,
+            ample: width >= AMPLE,
         };
         let frame = Frame::new().fill(Palette::of(ui).pane).inner_margin(Margin::symmetric(14, 8));
-        Panel::top("top bar").frame(frame).show(ui, |ui| top_bar_ui(ui, bar)).inner
+        let contents = |ui: &mut Ui| {
+            theme::landmark(ui, "Page bar");
+            top_bar_ui(ui, bar)
+        };
+        Panel::top("top bar").frame(frame).show(ui, contents).inner
     }
 
     /// What a person has done, as it stands.
@@ -338,10 +435,16 @@ impl App {
         Scene { scenario: self.scenario.clone(), pinned: self.pinned.clone() }
     }
 
+    /// Whether the findings are of the scenario as it is, and as it is shown.
+    fn is_found(&self) -> bool {
+        *self.findings.scenario() == self.scenario && self.findings.is_opened() == self.view.shows_open
+    }
+
     /// Takes new findings where the scenario or the pinned state is another: the only place that does.
     fn refresh(&mut self) {
-        if *self.findings.scenario() != self.scenario {
-            self.findings = Rc::new(self.findings.after(self.scenario.clone()));
+        if !self.is_found() {
+            let findings = self.findings.after(self.scenario.clone()).opened(self.view.shows_open);
+            self.findings = Rc::new(findings);
             self.computations += 1;
         }
         if self.findings.plane().is_some() {
@@ -376,17 +479,18 @@ impl App {
     /// place among the others.
     fn as_disturbed(&self, pinned: &Pinned) -> Scenario {
         let Scenario { disturbance, plane, .. } = self.scenario;
-        let mut disturbed = Scenario { disturbance, plane, ..pinned.scenario.clone() };
+        let mut disturbed =
+            Scenario { disturbance, plane, ..pinned.scenario.clone() }.shown_as(&self.scenario);
         let choice = disturbance.choices[plane];
-        let flown = self.findings.modes().get(choice.mode).filter(|_| choice.source == Source::OneMode);
+        let flown = self.findings.flown_modes().get(choice.mode).filter(|_| choice.source == Source::OneMode);
         if let Some(flown) = flown {
             let is_known = |findings: &&Rc<Findings>| {
-                let Scenario { edited, plane: of, .. } = findings.scenario();
-                (edited, *of) == (&disturbed.edited, plane)
+                let Scenario { edited, law, plane: of, .. } = findings.scenario();
+                (edited, law, *of) == (&disturbed.edited, &disturbed.law, plane)
             };
             let known = self.pinned_findings.as_ref().filter(is_known).cloned();
             let known = known.unwrap_or_else(|| Rc::new(Findings::of(disturbed.clone())));
-            let place = known.modes().iter().position(|mode| mode.naming.name == flown.naming.name);
+            let place = known.flown_modes().iter().position(|mode| mode.naming.name == flown.naming.name);
             disturbed.disturbance.choices[plane].mode = place.unwrap_or(choice.mode);
         }
         disturbed

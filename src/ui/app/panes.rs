@@ -7,14 +7,15 @@ use egui::{Align, Layout, RichText, Ui};
 use super::layout::CORNER;
 use super::{Action, App, Panes, PhonePane};
 use crate::findings::{Findings, Remark, Trajectory};
-use crate::scenario::view::{Marks, Pane};
-use crate::scenario::{Hidden, Lock, Page, Parameter, Source, View, parameters};
+use crate::scenario::view::{Marks, Pane, Tab};
+use crate::scenario::{Hidden, Lock, Page, Parameter, Scenario, Source, View, parameters};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::{Chosen, Rows, derivatives_ui};
 use crate::ui::equations::{Size, Wish};
+use crate::ui::feedback::{LeastGainSaid, least_gain_ui, legend_ui, switch_ui, told_ui};
 use crate::ui::mode_cards::{Card, banner_ui, card_ui, verdicts_ui};
 use crate::ui::overall_level::overall_level_ui;
-use crate::ui::poles::{PoleMapContent, shows_approximations, shows_levels};
+use crate::ui::poles::{PoleMapContent, page_of_drag, shows_approximations, shows_levels};
 use crate::ui::slider_search::{Filter, is_listed};
 use crate::ui::theme::{self, Palette};
 use crate::words;
@@ -25,13 +26,21 @@ impl App {
             self.view.page = Page::of(&self.scenario);
         }
         let (last, is_stale) = self.shown();
-        let (mut enlarge, mut wish) = (false, Wish::default());
+        let (mut enlarge, mut wish, mut least, mut chart) = (false, Wish::default(), None, None);
         self.panes.touched = {
-            let Panes { search, asked, equations: of_equations, .. } = &mut self.panes;
-            let View { page, stage, equations, maximised, .. } = &mut self.view;
+            let Panes { search, asked, equations: of_equations, least_gain, .. } = &mut self.panes;
+            let View { page, stage, equations, maximised, shows_open, .. } = &mut self.view;
             let beside = *page == Page::Matrix && *maximised != Some(Pane::Equations);
-            let chosen = Chosen { page, search, stage, asked: asked.take(), equations: &mut enlarge };
+            let has_gains = *page == Page::Feedback;
+            let (asked, equations_asked) = (asked.take(), &mut enlarge);
+            let chosen = Chosen { page, search, stage, asked, equations: equations_asked, chart: &mut chart };
             let above = |ui: &mut Ui| {
+                if has_gains {
+                    ui.horizontal_wrapped(|ui| {
+                        switch_ui(ui, &last, shows_open);
+                        least = least_gain_ui(ui, &last, least_gain.as_ref());
+                    });
+                }
                 if beside {
                     let show = |ui: &mut Ui| {
                         if is_stale {
@@ -44,7 +53,14 @@ impl App {
             };
             derivatives_ui(ui, &mut self.scenario, chosen, rows, (&self.findings, &last), above)
         };
+        if let Some(gain) = least {
+            self.panes.least_gain = Some(LeastGainSaid::of(&self.findings, &mut self.scenario, gain));
+            self.view.shows_open = false;
+        }
         self.grant(ui, Wish { enlarge: enlarge || wish.enlarge, ..wish });
+        if let Some(parameter) = chart {
+            self.chart_over(ui, parameter);
+        }
         self.panes.explained = self.panes.touched.unwrap_or(self.panes.explained);
         let filter = Filter { search: &self.panes.search, stage: &self.view.stage };
         let listed = |p: &&Parameter| is_listed(p, &self.scenario, self.view.page, filter);
@@ -53,8 +69,19 @@ impl App {
             self.panes.explained = first.map_or("", |p| p.key);
         }
         if rows == Rows::Dense {
-            crate::ui::derivatives::help_ui(ui, self.panes.explained);
+            crate::ui::explanation::help_ui(ui, self.panes.explained, self.scenario.convention());
         }
+    }
+
+    /// Opens the chart over a slider, with the measure that was charted last.
+    fn chart_over(&mut self, ui: &Ui, parameter: &'static Parameter) {
+        let response = &mut self.view.response;
+        (response.tab, response.chart[self.scenario.plane].over) = (Tab::Chart, Some(parameter));
+        if self.view.maximised.is_some() {
+            self.view.maximised = Some(Pane::Response);
+        }
+        self.panes.phone_pane = PhonePane::Response;
+        ui.request_repaint();
     }
 
     /// The equations alone.
@@ -71,7 +98,8 @@ impl App {
     }
 
     /// Goes to the slider that is asked for in the equations, or puts them alone.
-    fn grant(&mut self, ui: &Ui, Wish { touched, asked, enlarge }: Wish) {
+    fn grant(&mut self, ui: &Ui, Wish { touched, asked, enlarge, notation }: Wish) {
+        self.scenario.notation = notation.unwrap_or(self.scenario.notation);
         self.panes.touched = touched.or(self.panes.touched);
         let stays = Curtain::of(ui).locks(Lock::View);
         let is_in_reach = |parameter: &&Parameter| !stays || parameter.page == Some(self.view.page);
@@ -105,20 +133,23 @@ impl App {
 
     pub(super) fn poles_ui(&mut self, ui: &mut Ui) {
         let findings = self.shown_ui(ui);
-        let Some(plane) = findings.plane() else { return };
+        let Some(plane) = findings.flown() else { return };
         let curtain = Curtain::of(ui);
         // The path of a slider tells what it would do.
         let touched = self.panes.touched.and_then(Parameter::find);
-        let touched = touched.filter(|_| !curtain.hides(Hidden::Reasons));
+        // While the loop is shown open no gain does anything.
+        let is_done = |p: &&Parameter| p.page != Some(Page::Feedback) || !findings.is_opened();
+        let touched = touched.filter(is_done).filter(|_| !curtain.hides(Hidden::Reasons));
         let locus = touched.map(|parameter| (parameter, findings.locus(parameter)));
         let locus = locus.as_ref().map(|(parameter, locus)| (*parameter, locus.as_ref()));
-        let pinned = self.pinned_findings.as_ref().map(|pinned| pinned.modes());
+        let pinned = self.pinned_findings.as_ref().map(|pinned| pinned.flown_modes());
         let Marks { approximations, levels } = self.view.marks;
         let marks = Marks {
             approximations: approximations && shows_approximations(&curtain),
             levels: levels && shows_levels(&curtain),
         };
         let findings = findings.as_ref();
+        legend_ui(ui, findings);
         self.panes.poles.show(ui, PoleMapContent { findings, plane, pinned, marks, locus });
     }
 
@@ -126,7 +157,8 @@ impl App {
     pub(super) fn pole_choices_ui(&mut self, ui: &mut Ui, rows: Rows) {
         if self.findings.plane().is_some() {
             let View { page, marks, .. } = &mut self.view;
-            self.panes.poles.choices.show(ui, &self.findings, *page, marks, rows);
+            let page = page_of_drag(&self.findings, *page);
+            self.panes.poles.choices.show(ui, &self.findings, page, marks, rows);
         }
     }
 
@@ -136,12 +168,17 @@ impl App {
             if rows == Rows::Dense {
                 ui.set_max_width(ui.available_width() - CORNER);
             }
-            self.panes.responses.choosers_ui(ui, &mut self.scenario, view, self.findings.modes());
+            self.panes.responses.choosers_ui(ui, &mut self.scenario, view, &self.findings);
         });
+        self.motion_ui(ui, rows);
+    }
+
+    /// The responses without their choosers.
+    pub(super) fn motion_ui(&mut self, ui: &mut Ui, rows: Rows) {
         let findings = self.shown_ui(ui);
         if findings.motion().is_some() {
-            let view = &mut self.view.response;
-            self.panes.responses.show(ui, view, &findings, self.pinned_findings.as_ref(), rows);
+            let edited = (&mut self.scenario, &mut self.view.response);
+            self.panes.responses.show(ui, edited, &findings, self.pinned_findings.as_ref(), rows);
         }
     }
 
@@ -186,14 +223,15 @@ impl App {
         }
         let (findings, is_stale) = self.shown();
         self.problem_ui(ui, is_stale);
-        let (Some(plane), Ok(analysis)) = (findings.plane(), findings.analysis()) else { return None };
+        let (Some(plane), Ok(analysis)) = (findings.flown(), findings.analysis()) else { return None };
         // What stands below may be of other panes.
         ui.scope(|ui| {
             if is_stale {
                 ui.disable();
             }
-            verdicts_ui(ui, plane, analysis.margins, self.scenario.aircraft.length_unit);
-            overall_level_ui(ui, analysis, &mut self.scenario.task);
+            told_ui(ui, &findings);
+            verdicts_ui(ui, plane, analysis.margins, self.scenario.convention());
+            overall_level_ui(ui, &findings, &mut self.scenario.task);
         });
         let Some(Remark::MixedUnits(gravity)) = findings.remarks().first().copied() else { return None };
         if Curtain::of(ui).hides(Hidden::Numbers) {
@@ -202,14 +240,16 @@ impl App {
         let warning = words::stability::mixed_units(gravity);
         banner_ui(ui, &format!("⚠ {warning}"), palette.warning, palette.warning_ground);
         let same_unit = self.aircraft.iter().find(|aircraft| aircraft.key == "lesson")?;
-        let offered = self.pinned.is_none() && ui.button("Compare with gravity in the same unit").clicked();
+        let can_pin = self.pinned.is_none()
+            && ![Lock::Aircraft, Lock::View].map(|lock| Curtain::of(ui).locks(lock)).contains(&true);
+        let offered = can_pin && ui.button("Compare with gravity in the same unit").clicked();
         offered.then(|| Action::PinAircraft(same_unit.clone()))
     }
 
     /// A card for each mode, in the columns that `column` tells.
     pub(super) fn cards_ui(&mut self, column: impl Fn(usize) -> usize, columns: &mut [Ui]) {
         let (findings, is_stale) = self.shown();
-        let Some(analysed) = findings.plane() else { return };
+        let Some(analysed) = findings.flown() else { return };
         if is_stale {
             columns.iter_mut().for_each(Ui::disable);
         }
@@ -217,16 +257,22 @@ impl App {
         if let Some(ui) = columns.first().filter(|ui| !Curtain::of(ui).hides_influence()) {
             self.panes.why.update(ui, pinned.as_ref(), &findings);
         }
-        let choice = self.scenario.disturbance.choices[self.scenario.plane];
+        if let Some(ui) = columns.first_mut() {
+            self.panes.why.under_law_ui(ui);
+        }
+        let Scenario { disturbance, plane, notation, .. } = self.scenario;
+        let choice = disturbance.choices[plane];
         let last = analysed.modes.len().saturating_sub(1);
         let mut asked = None;
         let order = columns.first().map(|ui| Curtain::of(ui).order(&analysed.modes)).unwrap_or_default();
         for (place, i) in order.into_iter().enumerate() {
             let mode = &analysed.modes[i];
-            let pinned = pinned.iter().flat_map(|pinned| pinned.modes());
+            let pinned = pinned.iter().flat_map(|pinned| pinned.flown_modes());
             let before = pinned.into_iter().find(|other| other.naming.name == mode.naming.name);
             let flown = choice.source == Source::OneMode && choice.mode.min(last) == i;
-            let card = Card { plane: analysed, mode, before, flown };
+            let whole =
+                findings.law_flown().and_then(|flown| flown.modes.get(i).map(|mode| (mode, &flown.closed)));
+            let card = Card { plane: analysed, mode, whole, before, flown, notation };
             // Columns would stretch every line to their width.
             let ragged = Layout::top_down(Align::Min);
             let card = |ui: &mut Ui| card_ui(ui, card, &mut self.view.details, &mut self.panes.why);
@@ -240,7 +286,7 @@ impl App {
     }
 
     /// What the rest of a pane draws. Where nothing follows from the scenario it says so first, and what followed last is dimmed.
-    fn shown_ui(&mut self, ui: &mut Ui) -> Rc<Findings> {
+    pub(super) fn shown_ui(&mut self, ui: &mut Ui) -> Rc<Findings> {
         let (findings, is_stale) = self.shown();
         self.problem_ui(ui, is_stale);
         if is_stale {
@@ -257,6 +303,7 @@ impl App {
             let text = if is_stale { words::sliders::AS_IT_WAS } else { words::sliders::NOTHING };
             ui.label(RichText::new(text).font(theme::small()).color(palette.bad));
         } else {
+            let problem = words::Told(&problem, self.findings.scenario().length_unit());
             banner_ui(ui, &format!("⚠ This can't be analysed: {problem}."), palette.bad, palette.bad_ground);
         }
     }

@@ -12,21 +12,52 @@ use crate::lesson::{Course, Records};
 const REPORT: &str = "eigenwing-report.html";
 
 impl App {
-    /// Takes up what was done on this device before. What can't be read is left out: it was damaged outside this page.
-    pub fn take_up_records(&mut self, json: &str) {
-        if let Ok(records) = Records::read(json) {
-            self.records.complete(records);
+    /// Takes up what was done on this device before, or in another tab, in the lesson that is open too. Says whether something was done
+    /// here that isn't there. What can't be read is left out: it was damaged outside this page.
+    pub fn take_up_records(&mut self, json: &str) -> bool {
+        let Ok(others) = Records::read(json) else { return true };
+        let adds = self.records.adds_to(&others);
+        self.records.join(others.clone());
+        // A lecture does so when it is over.
+        if !self.view.presents {
+            self.join_lesson(&others);
+        }
+        adds
+    }
+
+    /// Has the lesson that is open take over what was done in it elsewhere.
+    pub(super) fn join_lesson(&mut self, others: &Records) {
+        let LessonPane::Open(session) = &mut self.panes.lesson else { return };
+        let record = others.lessons.get(session.address()).cloned();
+        if record.is_some_and(|record| session.join(record, &self.aircraft)) {
+            self.open_step();
+        }
+    }
+
+    /// Takes up what was done elsewhere, with which a lesson that is open goes on.
+    pub fn go_on_with(&mut self, records: Records) {
+        let place = self.lesson_place(true);
+        self.records.complete(records);
+        self.records_changed = true;
+        if let Some(place) = place {
+            self.want_lesson(place);
         }
     }
 
     /// What has been done, as JSON, where it has changed since it was last asked for.
     pub fn take_changed_records(&mut self) -> Option<String> {
-        std::mem::take(&mut self.records_changed).then(|| self.records.to_json())
+        std::mem::take(&mut self.records_changed).then(|| self.records_as_json())
+    }
+
+    /// What has been done, as JSON.
+    pub fn records_as_json(&self) -> String {
+        self.records.to_json()
     }
 
     /// Follows the lesson that is open, at the end of a frame; never while something is dragged.
     pub(super) fn keep_record(&mut self, ui: &Ui) {
-        if ui.input(|input| input.pointer.any_down()) {
+        // Nothing of a lecture is what the person has done.
+        if self.view.presents || ui.input(|input| input.pointer.any_down()) {
             return;
         }
         // Taken out, so that the scene can be asked for.

@@ -27,6 +27,8 @@ pub struct Curve {
     pub color: Color32,
     /// How it is drawn.
     pub pattern: Pattern,
+    /// It is drawn no thinner than this.
+    pub thinnest: f32,
     /// Whether arrowheads tell the sense of time along it.
     is_directed: bool,
     /// What of both parts is needed on screen, at the scale at which it was shown last.
@@ -36,7 +38,16 @@ pub struct Curve {
 impl Curve {
     /// A curve all of which is drawn in full colour.
     pub fn new(name: &'static str, points: Vec<PlotPoint>, color: Color32, pattern: Pattern) -> Self {
-        Self { name, full: points.len(), points, color, pattern, is_directed: false, thinned: None }
+        Self {
+            name,
+            full: points.len(),
+            points,
+            color,
+            pattern,
+            thinnest: 0.0,
+            is_directed: false,
+            thinned: None,
+        }
     }
 
     /// The same curve, faded after its first points.
@@ -85,7 +96,7 @@ impl Curve {
                 let base = chart.position(PlotPoint::default()).y;
                 list.push(Primitive::Area { line, base, color: color.gamma_multiply(FILL) });
             }
-            let stroke = Stroke::new(self.pattern.width(), color);
+            let stroke = Stroke::new(self.pattern.width().max(self.thinnest), color);
             let parts = chart.clipped(points.iter().copied()).into_iter();
             list.extend(parts.map(|points| Primitive::Line { points, stroke, pattern: self.pattern }));
         }

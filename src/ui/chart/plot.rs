@@ -2,17 +2,20 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{Align2, Color32, FontId, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
+use egui::{
+    Align2, Color32, FontId, Id, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role,
+};
 
 use super::{AxisRange, Chart, Curve, Pattern, PlotPoint, Primitive, Room, Scale, Tick, View, paint};
 use crate::number::{round_up, significant};
-use crate::ui::finger;
 use crate::ui::symbol::Symbol;
 use crate::ui::theme::{self, Palette};
+use crate::ui::{copy, finger};
 
 const TITLE_HEIGHT: f32 = 20.0;
-/// Room for the numbers left of a plot and below it.
+/// Room for the numbers left of a plot and below it, where they are of this size.
 const GUTTER: Vec2 = Vec2::new(36.0, 14.0);
+const TICK: f32 = 10.0;
 /// Room right of a plot for the last number.
 const MARGIN: f32 = 8.0;
 /// So far the first and the last number may reach beyond a plot: into the gutter, and into what parts it from the next.
@@ -40,8 +43,8 @@ pub struct PlotContent {
     pub against: (&'static str, &'static str),
     /// The curves; the first is the one whose value the title tells.
     pub curves: Vec<Curve>,
-    /// Where the motion is no small disturbance any more, shaded.
-    pub beyond: Option<RangeInclusive<f64>>,
+    /// Parts of the horizontal axis on a ground of their own: where the motion is no small disturbance any more, what is stable.
+    pub grounds: Vec<(RangeInclusive<f64>, Color32)>,
     /// Upright lines with a colour: the cursor, frequencies of modes.
     pub uprights: Vec<(f64, Color32)>,
     /// Dots with a colour.
@@ -50,6 +53,18 @@ pub struct PlotContent {
     pub x_range: Option<RangeInclusive<f64>>,
     /// Range of the vertical axis, likewise.
     pub y_range: Option<RangeInclusive<f64>>,
+    /// Rings with a colour: zeros.
+    pub rings: Vec<(PlotPoint, Color32)>,
+    /// Straight lines, with colour and pattern.
+    pub segments: Vec<([PlotPoint; 2], Color32, Pattern)>,
+    /// Rectangles of the ground, with their colours.
+    pub shades: Vec<(View, Color32)>,
+    /// Words in the plot, centred here.
+    pub labels: Vec<(PlotPoint, &'static str)>,
+    /// Whether a plot below it has the same horizontal axis, and tells it.
+    pub is_above: bool,
+    /// Whether both axes have one scale.
+    pub has_one_scale: bool,
     /// How both axes are divided.
     pub scales: (Scale, Scale),
     /// Whether the vertical axis holds zero.
@@ -58,6 +73,8 @@ pub struct PlotContent {
     pub quantities: Vec<&'static str>,
     /// Whether no value of the curves is told.
     pub is_silent: bool,
+    /// Whether of the numbers of the vertical axis only zero is told: how far a hidden curve goes may be what is asked.
+    pub hides_size: bool,
 }
 
 impl PlotContent {
@@ -68,27 +85,41 @@ impl PlotContent {
             unit: unit.into(),
             against: ("t", "s"),
             curves,
-            beyond: None,
+            grounds: Vec::new(),
             uprights: Vec::new(),
             dots: Vec::new(),
+            rings: Vec::new(),
+            segments: Vec::new(),
+            shades: Vec::new(),
+            labels: Vec::new(),
+            is_above: false,
+            has_one_scale: false,
             x_range: None,
             y_range: None,
             scales: (Scale::Even, Scale::Even),
             with_zero: true,
             quantities: Vec::new(),
             is_silent: false,
+            hides_size: false,
         }
     }
 
-    /// The same with its axes alone: they hold the curves that aren't drawn, and don't tell on which side of zero those are.
+    /// The same with its axes alone: they hold the curves that aren't drawn, and tell neither how far those go nor on which side of zero.
     pub fn without_curves(mut self) -> Self {
         let (_, y) = self.ranges();
         if self.with_zero {
             let most = y.start().abs().max(y.end().abs());
             self.y_range = Some(-most..=most);
         }
-        let (curves, uprights, dots) = Default::default();
-        Self { curves, uprights, dots, beyond: None, is_silent: true, ..self }
+        let (curves, grounds, uprights, dots, rings) = Default::default();
+        let (segments, shades, labels) = Default::default();
+        let without = Self { curves, grounds, uprights, dots, rings, segments, shades, labels, ..self };
+        Self { is_silent: true, hides_size: true, ..without }
+    }
+
+    /// Whether a number of the vertical axis is told.
+    fn tells(&self, tick: &Tick) -> bool {
+        !self.hides_size || tick.value == 0.0
     }
 
     /// The ranges of both axes.
@@ -118,6 +149,32 @@ impl PlotContent {
         ((low / step).floor() - 0.6) * step..=((high / step).ceil() + 0.6) * step
     }
 
+    /// Its curves as a table, those of the first one's places.
+    fn table(&self) -> String {
+        let Some(first) = self.curves.first() else { return String::new() };
+        let with_unit = |symbol: &str, unit: &str| {
+            let symbol = Symbol::parse(symbol).plain();
+            if unit.is_empty() { symbol } else { format!("{symbol} [{unit}]") }
+        };
+        let is_beside = |curve: &&Curve| {
+            let places = curve.points.iter().map(|point| point.x);
+            places.eq(first.points.iter().map(|point| point.x))
+        };
+        let beside: Vec<&Curve> = self.curves.iter().filter(is_beside).collect();
+        let names = beside.iter().enumerate().map(|(place, curve)| {
+            let symbol = self.quantities.get(place).copied().unwrap_or(self.symbol.as_str());
+            format!("{} {}", curve.name, with_unit(symbol, &self.unit))
+        });
+        let head = std::iter::once(with_unit(self.against.0, self.against.1)).chain(names);
+        let mut lines = vec![head.collect::<Vec<_>>().join("\t")];
+        for (place, point) in first.points.iter().enumerate() {
+            let values = beside.iter().map(|curve| curve.points[place].y.to_string());
+            let line = std::iter::once(point.x.to_string()).chain(values);
+            lines.push(line.collect::<Vec<_>>().join("\t"));
+        }
+        lines.join("\n") + "\n"
+    }
+
     fn words(&self) -> String {
         let symbol = Symbol::parse(&self.symbol).plain();
         let points = self.curves.first().map_or(&[][..], Curve::full_part);
@@ -130,12 +187,12 @@ impl PlotContent {
         let against =
             if self.against.0 == "t" { "time".to_owned() } else { Symbol::parse(self.against.0).plain() };
         let with = if others.is_empty() { String::new() } else { format!("; with {}", others.join(", ")) };
-        if self.is_silent {
-            return format!("{symbol} in {} against {against}{with}", self.unit);
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" in {}", self.unit) };
+        if self.is_silent || points.is_empty() {
+            return format!("{symbol}{unit} against {against}{with}");
         }
         format!(
-            "{symbol} in {} against {against}: between {} and {}, {} {until}{with}",
-            self.unit,
+            "{symbol}{unit} against {against}: between {} and {}, {} {until}{with}",
             significant(extreme(f64::min), 3),
             significant(extreme(f64::max), 3),
             significant(last, 3),
@@ -174,29 +231,67 @@ impl SmallPlot {
         picture: &mut PlotContent,
         cursor: Option<f64>,
     ) -> Option<f64> {
-        let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| curve.at(x));
+        let (response, chart) = self.draw(ui, rect, picture, cursor);
+        theme::focus_ring(ui, &response);
+        let held = finger::works_on(ui, &response);
+        // A finger that has tapped is nowhere any more.
+        let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
+        let pointer = pointer.filter(|_| held)?;
+        Some(chart.at(pointer).x.clamp(chart.view.left, chart.view.right))
+    }
+
+    /// Where the curves of a picture are in the room that it has.
+    pub fn frame(ui: &Ui, rect: Rect, picture: &PlotContent) -> Rect {
+        let mut gutter = GUTTER * (theme::sizes(ui).tick / TICK);
+        if picture.is_above {
+            gutter.y = 0.0;
+        }
+        Rect::from_min_max(
+            rect.min + Vec2::new(gutter.x, TITLE_HEIGHT),
+            rect.max - Vec2::new(MARGIN, gutter.y),
+        )
+    }
+
+    /// Draws the picture, for who works on it: what has been done to it, and the chart.
+    pub fn draw(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        picture: &mut PlotContent,
+        cursor: Option<f64>,
+    ) -> (Response, Chart) {
+        let value = picture.curves.first().zip(cursor).and_then(|(curve, x)| Some((curve.at(x)?, x)));
         title(ui, rect, picture, value.filter(|_| !picture.is_silent));
         let (x, y) = picture.ranges();
         let (x, y) = (self.x.toward(ui, x), self.y.toward(ui, y));
-        let frame = Rect::from_min_max(
-            rect.min + Vec2::new(GUTTER.x, TITLE_HEIGHT),
-            rect.max - Vec2::new(MARGIN, GUTTER.y),
-        );
+        let frame = Self::frame(ui, rect, picture);
         let (left, right, bottom, top) = (*x.start(), *x.end(), *y.start(), *y.end());
-        let chart = Chart { rect: frame, view: View { left, right, bottom, top } };
+        let view = View { left, right, bottom, top };
+        let view = if picture.has_one_scale { view.holding(frame) } else { view };
+        let chart = Chart { rect: frame, view };
         let id = Id::unique((&picture.symbol, &picture.unit, picture.against.0));
         // Not for the keyboard, which would find nothing to do there.
         let response = ui.interact(frame, id, Sense::CLICK | Sense::DRAG);
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, picture.words()));
         let painter = ui.painter_at(frame.expand(1.0));
         let ticks = axes(ui, picture, &chart);
+        let thinnest = if theme::is_for_a_room(ui) { Pattern::Full.width() } else { 0.0 };
+        picture.curves.iter_mut().for_each(|curve| curve.thinnest = thinnest);
         paint(&painter, draw(picture, &chart, &ticks, cursor, Palette::of(ui)));
-        theme::focus_ring(ui, &response);
-        let held = finger::works_on(ui, &response);
-        // A finger that has tapped is nowhere any more.
-        let pointer = if response.clicked() { response.interact_pointer_pos() } else { response.hover_pos() };
-        let pointer = pointer.filter(|_| held)?;
-        Some(chart.at(pointer).x.clamp(left, right))
+        let font = FontId::proportional(theme::sizes(ui).tick);
+        for (at, text) in &picture.labels {
+            painter.text(
+                chart.position(*at),
+                Align2::CENTER_CENTER,
+                text,
+                font.clone(),
+                Palette::of(ui).text,
+            );
+        }
+        if !picture.is_silent {
+            copy::offer(ui, frame, &|| picture.table());
+        }
+        (response, chart)
     }
 }
 
@@ -219,10 +314,15 @@ fn draw(
         let ends = [chart.rect.left(), chart.rect.right()].map(|x| Pos2::new(x, y));
         Primitive::line(ends, Stroke::new(1.0, color), Pattern::Full)
     };
-    if let Some(beyond) = &picture.beyond {
-        let [from, to] = [beyond.start(), beyond.end()].map(|x| chart.position(PlotPoint::new(*x, 0.0)).x);
+    for (View { left, right, bottom, top }, color) in &picture.shades {
+        let [from, to] =
+            [(*left, *top), (*right, *bottom)].map(|(x, y)| chart.position(PlotPoint::new(x, y)));
+        list.push(Primitive::Rectangle(Rect::from_min_max(from, to).intersect(chart.rect), *color));
+    }
+    for (part, color) in &picture.grounds {
+        let [from, to] = [part.start(), part.end()].map(|x| chart.position(PlotPoint::new(*x, 0.0)).x);
         let rect = Rect::from_x_y_ranges(from..=to, chart.rect.y_range()).intersect(chart.rect);
-        list.push(Primitive::Rectangle(rect, palette.unstable_half));
+        list.push(Primitive::Rectangle(rect, *color));
     }
     let [horizontal, vertical] = ticks;
     list.extend(vertical.iter().map(|tick| level(tick.value, palette.hairline)));
@@ -234,6 +334,12 @@ fn draw(
     picture.curves.iter_mut().rev().for_each(|curve| curve.draw(chart, &mut list));
     list.extend(picture.uprights.iter().map(|&(x, color)| upright(x, color, Pattern::Dashed)));
     list.extend(cursor.map(|x| upright(x, palette.weak, Pattern::Dotted)));
+    for (ends, color, pattern) in &picture.segments {
+        let stroke = Stroke::new(1.8, *color);
+        let parts = chart.clipped(*ends).into_iter();
+        list.extend(parts.map(|points| Primitive::Line { points, stroke, pattern: *pattern }));
+    }
+    list.extend(picture.rings.iter().map(|&(at, color)| Primitive::Ring(chart.position(at), DOT, color)));
     list.extend(picture.dots.iter().map(|&(at, color)| Primitive::Dot(chart.position(at), DOT, color)));
     list
 }
@@ -254,7 +360,7 @@ fn axes(ui: &Ui, picture: &PlotContent, chart: &Chart) -> [Vec<Tick>; 2] {
     let ticks =
         [picture.scales.0.ticks(&(left..=right), across), picture.scales.1.ticks(&(bottom..=top), upward)];
     let mut end = rect.left();
-    for tick in &ticks[0] {
+    for tick in ticks[0].iter().filter(|_| !picture.is_above) {
         let galley = set(&tick.label);
         let x = chart.position(PlotPoint::new(tick.value, 0.0)).x;
         let place = Align2::CENTER_TOP.anchor_size(Pos2::new(x, rect.bottom() + 1.0), galley.size());
@@ -264,7 +370,7 @@ fn axes(ui: &Ui, picture: &PlotContent, chart: &Chart) -> [Vec<Tick>; 2] {
     if picture.against.0 == "t" {
         painter.galley(Pos2::new(end, rect.bottom() + 1.0), set(&format!(" {}", picture.against.1)), color);
     }
-    for tick in &ticks[1] {
+    for tick in ticks[1].iter().filter(|tick| picture.tells(tick)) {
         let at = Pos2::new(rect.left() - 4.0, chart.position(PlotPoint::new(0.0, tick.value)).y);
         painter.text(at, Align2::RIGHT_CENTER, &tick.label, font.clone(), color);
     }
@@ -282,7 +388,7 @@ pub fn sample(left: Pos2, pattern: Pattern, color: Color32) -> Primitive {
 }
 
 /// Symbol and unit on the left; on the right the value at the cursor.
-fn title(ui: &Ui, rect: Rect, picture: &PlotContent, value: Option<f64>) {
+fn title(ui: &Ui, rect: Rect, picture: &PlotContent, value: Option<(f64, f64)>) {
     let palette = Palette::of(ui);
     if !picture.quantities.is_empty() {
         quantities(ui, rect, picture);
@@ -290,8 +396,14 @@ fn title(ui: &Ui, rect: Rect, picture: &PlotContent, value: Option<f64>) {
         quantity(ui, rect, picture);
     }
     // Of several quantities nobody could tell whose it is.
-    if let Some(value) = value.filter(|_| picture.quantities.len() < 2) {
-        let text = format!("{} {}", significant(value, 3), picture.unit);
+    if let Some((value, x)) = value.filter(|_| picture.quantities.len() < 2) {
+        let mut text = format!("{} {}", significant(value, 3), picture.unit);
+        if picture.scales.0 == Scale::Decades {
+            // Of a frequency too, in short.
+            let unit = picture.unit.split(' ').next().unwrap_or_default();
+            let x = significant(10_f64.powf(x), 3);
+            text = format!("{} {unit} at {x} {}", significant(value, 3), picture.against.1);
+        }
         let corner = rect.right_top() + Vec2::new(-4.0, 2.0);
         ui.painter().text(
             corner,
@@ -309,7 +421,7 @@ fn quantity(ui: &Ui, rect: Rect, picture: &PlotContent) {
     let mut job = Symbol::parse(&picture.symbol).job(theme::sizes(ui).title_symbol, palette.text);
     let weak = || egui::TextFormat::simple(theme::small(), palette.weak);
     job.append(&format!("  {}", picture.unit), 0.0, weak());
-    if picture.against.0 != "t" {
+    if picture.against.0 != "t" && !picture.is_above {
         job.append(" against ", 0.0, weak());
         Symbol::parse(picture.against.0).append_to(&mut job, theme::sizes(ui).inline_symbol, palette.text);
         job.append(&format!(" {}", picture.against.1), 0.0, weak());
@@ -364,7 +476,7 @@ fn quantities(ui: &Ui, rect: Rect, picture: &PlotContent) {
 
 #[cfg(test)]
 mod tests {
-    use super::{PlotContent, with_faded};
+    use super::{PlotContent, Tick, with_faded};
 
     #[test]
     fn axes_without_their_curves_do_not_tell_on_which_side_of_zero_these_are() {
@@ -372,6 +484,15 @@ mod tests {
         assert_eq!(plot.clone().without_curves().y_range, Some(-4.0..=4.0));
         let anywhere = PlotContent { with_zero: false, ..plot };
         assert_eq!(anywhere.without_curves().y_range, Some(-4.0..=1.0));
+    }
+
+    #[test]
+    fn axes_without_their_curves_tell_only_where_zero_is() {
+        let plot = PlotContent::of_time("α", "deg", Vec::new());
+        let tick = |value: f64| Tick { value, label: value.to_string() };
+        let told = |plot: &PlotContent| [-5.0, 0.0, 5.0].map(|value| plot.tells(&tick(value)));
+        assert_eq!(told(&plot), [true; 3]);
+        assert_eq!(told(&plot.without_curves()), [false, true, false]);
     }
 
     #[test]

@@ -57,6 +57,8 @@ pub enum Primitive {
     Rectangle(Rect, Color32),
     /// A filled circle.
     Dot(Pos2, f32, Color32),
+    /// A circle.
+    Ring(Pos2, f32, Color32),
 }
 
 impl Primitive {
@@ -89,6 +91,9 @@ pub fn paint(painter: &Painter, list: Vec<Primitive>) {
             }
             Primitive::Dot(at, radius, color) => {
                 painter.circle_filled(at, radius, color);
+            }
+            Primitive::Ring(at, radius, color) => {
+                painter.circle_stroke(at, radius, Stroke::new(1.6, color));
             }
         }
     }

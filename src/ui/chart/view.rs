@@ -60,6 +60,15 @@ impl View {
         Self { left: middle - half, right: middle + half, ..self }
     }
 
+    /// As much more around it as the shape of `rect` needs for both axes to have one scale.
+    pub fn holding(self, rect: Rect) -> Self {
+        let (wide, high) = (self.right - self.left, self.top - self.bottom);
+        let ratio = f64::from(rect.width() / rect.height().max(1.0));
+        let more = (wide / ratio - high).max(0.0);
+        let (bottom, top) = (self.bottom - 0.5 * more, self.top + 0.5 * more);
+        Self { bottom, top, ..self }.shaped(rect)
+    }
+
     /// `factor` times nearer, with what is at `about` staying where it is.
     pub fn zoomed(self, factor: f64, about: PlotPoint) -> Self {
         let toward = |x: f64, centre: f64| centre + (x - centre) / factor;

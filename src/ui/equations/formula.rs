@@ -1,6 +1,5 @@
 //! Equations as text in the notation of symbols: an entry, a row, the polynomial and its factors.
 
-use crate::content::LengthUnit;
 use crate::findings::Equations;
 use crate::findings::equations::{Atom, COLUMNS, Factor, Form};
 use crate::number::trimmed;
@@ -12,8 +11,6 @@ use crate::words;
 pub(super) struct Writing<'a> {
     pub equations: &'a Equations,
     pub entries: Entries,
-    /// The unit of length of what is shown.
-    pub length: LengthUnit,
     /// Significant digits of an entry.
     pub digits: usize,
 }
@@ -22,21 +19,24 @@ impl Writing<'_> {
     /// The value of an entry in the unit on screen, and that unit.
     pub fn number(&self, row: usize, column: usize) -> (String, &'static str) {
         let dimension = self.equations.dimension(row, column);
-        let shown = self.equations.value(row, column) / dimension.in_si(self.length);
-        (trimmed(shown, self.digits), dimension.symbol(self.length))
+        let length = self.equations.convention.length;
+        let shown = self.equations.value(row, column) / dimension.in_si(length);
+        (trimmed(shown, self.digits), dimension.symbol(length))
     }
 
     /// An entry as a symbol: that of its slider where that has a prime, or else what it is made of.
     pub fn symbol(&self, row: usize, column: usize) -> Option<String> {
         let form = self.equations.form(row, column)?;
-        let slider = self.equations.slider(row, column).map(|(parameter, _)| parameter.symbol);
-        let text = slider.filter(|symbol| symbol.contains('′')).map_or_else(|| form.text(), str::to_owned);
-        Some(text)
+        let convention = self.equations.convention;
+        let slider =
+            self.equations.slider(row, column).map(|(parameter, _)| parameter.written(convention).symbol);
+        let of_slider = slider.filter(|symbol| symbol.contains('′'));
+        Some(of_slider.map_or_else(|| form.text(convention), str::to_owned))
     }
 
     /// An entry as what it is made of.
     pub fn full(&self, row: usize, column: usize) -> Option<String> {
-        let text = self.equations.form(row, column)?.text();
+        let text = self.equations.form(row, column)?.text(self.equations.convention);
         Some(if self.equations.added(row, column) == 0.0 { text } else { format!("{text} + Δ") })
     }
 
@@ -55,27 +55,34 @@ impl Writing<'_> {
         let Some(form) = self.equations.form(row, column) else { return false };
         match self.entries {
             Entries::Numbers => false,
-            Entries::Symbols => matches!(form, Form::Sum(_)) && self.entry(row, column) == form.text(),
+            Entries::Symbols => {
+                matches!(form, Form::Sum(_))
+                    && self.entry(row, column) == form.text(self.equations.convention)
+            }
             Entries::Full => matches!(form, Form::Sum(_)) || self.equations.added(row, column) != 0.0,
         }
     }
 
     /// A row as an equation: `u̇ = X_u u + X_w w + …`.
     pub fn row(&self, row: usize) -> String {
-        let plane = self.equations.plane;
-        let mut text = format!("{} =", words::equations::rates(plane)[row]);
+        let (plane, notation) = (self.equations.plane, self.equations.convention.notation);
+        let mut text = format!("{} =", words::equations::rates(plane, notation)[row]);
         let mut is_first = true;
-        for (column, state) in words::equations::columns(plane).into_iter().enumerate().take(COLUMNS) {
+        for (column, state) in
+            words::equations::columns(plane, notation).into_iter().enumerate().take(COLUMNS)
+        {
             let form = self.equations.form(row, column);
             let is_fixed = self.equations.slider(row, column).is_none();
             if form == Some(Form::Whole(0)) || is_fixed && self.equations.value(row, column) == 0.0 {
                 continue;
             }
             let entry = self.entry(row, column);
+            // What is over V stands by itself: (Z_u/V) u.
+            let factor = |text: &str| if text.contains("/V") { format!("({text})") } else { text.to_owned() };
             let (sign, size) = match entry.strip_prefix('−') {
                 _ if self.is_sum(row, column) => ("+", format!("({entry})")),
-                Some(size) => ("−", size.to_owned()),
-                None => ("+", entry),
+                Some(size) => ("−", factor(size)),
+                None => ("+", factor(&entry)),
             };
             match (is_first, sign) {
                 (true, "+") => text.push(' '),
@@ -94,7 +101,7 @@ impl Writing<'_> {
         let forms =
             (0..4).flat_map(|row| (0..COLUMNS).filter_map(move |column| self.equations.form(row, column)));
         for atom in forms.flat_map(|form| form.atoms()) {
-            if atom.definition().is_some() && !defined.contains(&atom) {
+            if atom.definition(self.equations.convention.notation).is_some() && !defined.contains(&atom) {
                 defined.push(atom);
             }
         }

@@ -9,11 +9,12 @@ use egui::{
 };
 
 use super::formula::Writing;
+use crate::findings::Equations;
 use crate::findings::equations::{COLUMNS, ROWS, STATES};
 use crate::flight::modes::mode_name::ModeName;
 use crate::ui::symbol::Symbol;
-use crate::ui::theme::Palette;
-use crate::ui::{arrow_keys, influence};
+use crate::ui::theme::{self, Palette};
+use crate::ui::{arrow_keys, copy, influence};
 use crate::words;
 use crate::words::sensitivity::NOTHING;
 
@@ -22,6 +23,8 @@ const SMALL: [f32; 2] = [11.0, 14.0];
 const LARGE: [f32; 2] = [13.0, 34.0];
 /// Lines of the large entries' type that a pane is to have room for.
 const LINES: f32 = 22.0;
+/// The same where a room looks on, without words below.
+const LINES_FOR_A_ROOM: f32 = 10.5;
 /// The size at which entries are measured, to find the one that fits.
 const MEASURED: f32 = 20.0;
 // In sizes of type.
@@ -39,6 +42,9 @@ const BAR: f32 = 3.0;
 
 /// A place in the matrices: row, and column with those of B after those of A.
 pub(super) type Place = (usize, usize);
+
+/// Beside all of them.
+pub(super) const NOWHERE: Place = (ROWS, COLUMNS);
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +84,7 @@ struct Layout {
 impl Layout {
     fn of(ui: &Ui, matrices: &Matrices<'_>, size: f32) -> Self {
         let palette = Palette::of(ui);
-        let plane = matrices.writing.equations.plane;
+        let Equations { plane, convention, .. } = *matrices.writing.equations;
         let galley = |text: &str, color: Color32| {
             let job = Symbol::parse(text).job(size, color);
             ui.painter().layout_job(job)
@@ -86,10 +92,14 @@ impl Layout {
         let entry = |row: usize, column: usize| galley(&matrices.writing.entry(row, column), palette.text);
         let row = |row: usize| (0..COLUMNS).map(|column| entry(row, column)).collect();
         let entries: Vec<Vec<Arc<Galley>>> = (0..ROWS).map(row).collect();
-        let rates: Vec<_> =
-            words::equations::rates(plane).iter().map(|rate| galley(rate, palette.text)).collect();
-        let columns: Vec<_> =
-            words::equations::columns(plane).iter().map(|state| galley(state, palette.weak)).collect();
+        let rates: Vec<_> = words::equations::rates(plane, convention.notation)
+            .iter()
+            .map(|rate| galley(rate, palette.text))
+            .collect();
+        let columns: Vec<_> = words::equations::columns(plane, convention.notation)
+            .iter()
+            .map(|state| galley(state, palette.weak))
+            .collect();
         let width = |column: usize| {
             let of_column = entries.iter().map(|row| row[column].size().x).chain([columns[column].size().x]);
             of_column.fold(size, f32::max) + 2.0 * PADDING * size
@@ -112,7 +122,8 @@ pub(super) fn matrices_ui(ui: &mut Ui, matrices: Matrices<'_>) -> Picked {
     // In half points, so that a number that gets a digit more doesn't make all others tremble.
     let fitting = (2.0 * MEASURED * room / measured).floor() / 2.0;
     // What is seen at once has room for the words below too.
-    let highest = if matrices.is_large { (ui.clip_rect().height() / LINES).floor() } else { largest };
+    let lines = if theme::is_for_a_room(ui) { LINES_FOR_A_ROOM } else { LINES };
+    let highest = if matrices.is_large { (ui.clip_rect().height() / lines).floor() } else { largest };
     let layout = Layout::of(ui, &matrices, fitting.min(highest).clamp(smallest, largest));
     if layout.width() <= room + 1.0 {
         return board_ui(ui, matrices, &layout);
@@ -124,11 +135,17 @@ pub(super) fn matrices_ui(ui: &mut Ui, matrices: Matrices<'_>) -> Picked {
 fn board_ui(ui: &mut Ui, matrices: Matrices<'_>, layout: &Layout) -> Picked {
     let palette = Palette::of(ui);
     let size = layout.size;
-    let height = if matrices.is_large { LARGE_ROW * size } else { ROW * size };
+    let is_airy = matrices.is_large && !theme::is_for_a_room(ui);
+    let height = if is_airy { LARGE_ROW * size } else { ROW * size };
     let height = if matrices.by_finger { height.max(TOUCH_ROW) } else { height.round() };
     let head = (1.5 * size).round();
     let total = Vec2::new(layout.width(), head + ROWS as f32 * height + 2.0);
     let (board, _) = ui.allocate_exact_size(total, Sense::hover());
+    copy::offer(ui, board, &|| {
+        let number = |row, column| matrices.writing.number(row, column).0.replace('−', "-");
+        let row = |row: usize| (0..COLUMNS).map(|column| number(row, column)).collect::<Vec<_>>().join("\t");
+        (0..ROWS).map(row).collect::<Vec<_>>().join("\n") + "\n"
+    });
     let bracket = BRACKET * size;
     let left = board.left() + layout.rate_width + 2.0 + 0.5 * GAP * size + bracket;
     let x_of = |column: usize| {
@@ -283,11 +300,12 @@ fn tell(ui: &Ui, matrices: &Matrices<'_>, (row, column): Place, response: Respon
     let Matrices { writing, mode, .. } = matrices;
     let equations = writing.equations;
     let (number, unit) = writing.number(row, column);
-    let mut sentence = words::equations::place(equations.plane, row, column);
+    let mut sentence = words::equations::place(equations.plane, equations.convention.notation, (row, column));
     if let Some(symbol) = writing.symbol(row, column) {
         sentence.push_str(&format!(": {}", Symbol::parse(&symbol).plain()));
     }
     sentence.push_str(format!(" = {number} {unit}").trim_end());
+    copy::offer(ui, response.rect, &|| sentence.clone());
     if let Some((index, _, name)) = mode
         && let Some(strength) = equations.strength(*index, row, column).filter(|_| column < STATES)
     {

@@ -7,8 +7,10 @@ mod matrix;
 use egui::{Button, Color32, ComboBox, Label, RichText, TextFormat, Ui};
 
 use self::formula::{Writing, factor, polynomial};
-use self::matrix::{Matrices, Picked, Place, matrices_ui};
+use self::matrix::{Matrices, NOWHERE, Picked, Place, matrices_ui};
 use super::curtain::Curtain;
+use super::feedback::without_law_ui;
+use super::keys::notation_ui;
 use super::symbol::{Symbol, prose};
 use super::theme::{self, Palette};
 use crate::findings::{Equations, Findings};
@@ -17,7 +19,7 @@ use crate::flight::modes::sensitivity::REPEATED_CONDITION;
 use crate::key::Keyed as _;
 use crate::number::trimmed;
 use crate::scenario::view::{Entries, EquationsView};
-use crate::scenario::{Hidden, Lock, Parameter};
+use crate::scenario::{Hidden, Lock, Notation, Parameter};
 use crate::words;
 
 /// Significant digits of an entry where there is little room, and where it is alone in much.
@@ -45,6 +47,8 @@ pub struct Wish {
     pub asked: Option<&'static Parameter>,
     /// Whether the equations are to stand alone.
     pub enlarge: bool,
+    /// The notation to go on in.
+    pub notation: Option<Notation>,
 }
 
 /// The equations as a person reads them.
@@ -67,21 +71,27 @@ impl EquationsPane {
         let Some(equations) = findings.equations() else { return wish };
         let modes = findings.modes();
         let curtain = Curtain::of(ui);
-        let choosers = |ui: &mut Ui| choosers_ui(ui, equations, modes, view, size);
-        wish.enlarge = curtain.lock_ui(ui, Lock::View, choosers);
+        let mut notation = equations.convention.notation;
+        let choosers = |ui: &mut Ui| choosers_ui(ui, equations, modes, (view, &mut notation), size);
+        without_law_ui(ui, findings);
+        // A room has nothing to choose, and reads what is large.
+        let is_for_a_room = theme::is_for_a_room(ui);
+        if !is_for_a_room {
+            wish.enlarge = curtain.lock_ui(ui, Lock::View, choosers);
+            wish.notation = (notation != equations.convention.notation).then_some(notation);
+        }
         let coloured = view.coloured.filter(|_| !curtain.hides_influence());
         let mode = coloured.and_then(|index| Some((index, modes.get(index)?)));
         let writing = Writing {
             equations,
             entries: view.entries,
-            length: findings.scenario().aircraft.length_unit,
             digits: DIGITS[usize::from(size == Size::Alone && ui.available_width() >= USUAL_WIDTH)],
         };
         let matrices = Matrices {
             writing,
             mode: mode
                 .map(|(index, mode)| (index, mode.naming.name, curtain.in_a_sentence(mode.naming.name))),
-            chosen: self.chosen,
+            chosen: if is_for_a_room { NOWHERE } else { self.chosen },
             is_large: size == Size::Alone,
             by_finger: theme::is_for_fingers(ui),
         };
@@ -91,13 +101,19 @@ impl EquationsPane {
         wish.touched = hovered.and_then(slider).map(|parameter| parameter.key);
         wish.asked = asked.filter(|_| leads).and_then(slider);
         let larger = enlargement(ui, size);
-        if let Some((_, mode)) = mode {
+        // Before a room, no more than there is room for.
+        let room = 4.0 * 1.35 * larger * theme::sizes(ui).symbol;
+        let has_room = !is_for_a_room || ui.available_height() >= room;
+        if let Some((_, mode)) = mode.filter(|_| has_room) {
             // Once understood it needs no large type.
             small_ui(ui, &legend(&curtain, mode), larger.min(1.3));
         }
-        let of_derivative = self.row_ui(ui, findings, &writing, (larger, leads));
-        wish.asked = of_derivative.or(wish.asked);
-        if !curtain.hides(Hidden::Numbers) {
+        if !is_for_a_room {
+            let of_derivative = self.row_ui(ui, findings, &writing, (larger, leads));
+            wish.asked = of_derivative.or(wish.asked);
+        }
+        // As small as it would be beside the matrix, no room reads it.
+        if !curtain.hides(Hidden::Numbers) && !is_for_a_room {
             polynomial_ui(ui, equations, modes, larger);
         }
         wish
@@ -126,7 +142,9 @@ impl EquationsPane {
             ui.spacing_mut().item_spacing.x = 4.0;
             theme::make_low(ui, 18.0);
             let (number, unit) = writing.number(row, column);
-            let symbol = writing.symbol(row, column).filter(|symbol| *symbol != full);
+            // A symbol is what it stands for before anything is added.
+            let made_of = full.strip_suffix(" + Δ").unwrap_or(&full);
+            let symbol = writing.symbol(row, column).filter(|symbol| symbol != made_of);
             let symbol = symbol.map_or_else(String::new, |symbol| format!("{symbol} = "));
             let text = format!("{symbol}{full} = {number}");
             let mut job = Symbol::parse(&text).job(larger * theme::sizes(ui).inline_symbol, palette.text);
@@ -140,7 +158,7 @@ impl EquationsPane {
                 ui.add(Label::new(words).extend());
             }
             for parameter in derivatives {
-                let symbol = Symbol::parse(parameter.symbol);
+                let symbol = Symbol::parse(parameter.written(equations.convention).symbol);
                 let job = symbol.job(larger * theme::sizes(ui).inline_symbol, palette.link());
                 let name = format!("To the slider of {} {}", parameter.name, symbol.plain());
                 let button = theme::bare_button(ui, true, Button::new(job)).accessible_name(name);
@@ -153,11 +171,12 @@ impl EquationsPane {
             let scenario = findings.scenario();
             let definition = |atom: crate::findings::equations::Atom| {
                 let value = trimmed(equations.atom(scenario, atom)?, 4);
-                Some(format!("{} = {value}", atom.definition()?))
+                Some(format!("{} = {value}", atom.definition(equations.convention.notation)?))
             };
             let mut definitions: Vec<String> =
                 writing.definitions().into_iter().filter_map(definition).collect();
-            let added = equations.added(row, column) / equations.dimension(row, column).in_si(writing.length);
+            let in_si = equations.dimension(row, column).in_si(equations.convention.length);
+            let added = equations.added(row, column) / in_si;
             if added != 0.0 {
                 definitions.push(words::equations::added(&trimmed(added, 4)));
             }
@@ -194,12 +213,12 @@ fn legend(curtain: &Curtain, mode: &Mode) -> String {
     }
 }
 
-/// As what entries stand, the mode that colours them, and the way to large type. Says whether that is asked for.
+/// As what entries stand, in which notation, the mode that colours them, and the way to large type. Says whether that is asked for.
 fn choosers_ui(
     ui: &mut Ui,
     equations: &Equations,
     modes: &[Mode],
-    view: &mut EquationsView,
+    (view, notation): (&mut EquationsView, &mut Notation),
     size: Size,
 ) -> bool {
     let mut enlarge = false;
@@ -224,6 +243,8 @@ fn choosers_ui(
                 }
             }
         });
+        ui.separator();
+        notation_ui(ui, notation, &theme::small());
         if !Curtain::of(ui).hides_influence() {
             coloured_ui(ui, modes, view, size);
         }

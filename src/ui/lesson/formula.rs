@@ -81,6 +81,39 @@ pub fn inline_ui(ui: &mut Ui, formula: &Formula) {
     tell(&response, formula);
 }
 
+/// A formula that is set and has no place yet.
+pub struct Display {
+    set: Set,
+    size: f32,
+    told: String,
+}
+
+impl Display {
+    /// A formula on a line of its own in text of a size, smaller where it would be wider than the room.
+    pub fn of(ui: &Ui, formula: &Formula, text_size: f32, room: f32) -> Self {
+        let setter = Setter { ui, color: Palette::of(ui).text };
+        let mut size = 1.1 * LARGER * text_size;
+        let mut set = setter.set(formula, size);
+        if set.width > room {
+            size *= (room / set.width).max(LEAST);
+            set = setter.set(formula, size);
+        }
+        Self { set, size, told: formula.in_words() }
+    }
+
+    /// Its width and height.
+    pub fn extent(&self) -> Vec2 {
+        Vec2::new(self.set.width, self.set.height())
+    }
+
+    /// Draws it with its left top corner here.
+    pub fn show(&self, ui: &Ui, left_top: Pos2, id: egui::Id) {
+        draw(ui, &self.set, left_top + Vec2::new(0.0, self.set.ascent), self.size);
+        let response = ui.interact(egui::Rect::from_min_size(left_top, self.extent()), id, Sense::HOVER);
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, self.told.as_str()));
+    }
+}
+
 /// Draws a formula on a line of its own.
 pub fn display_ui(ui: &mut Ui, formula: &Formula) {
     let size = 1.1 * LARGER * theme::body().size;

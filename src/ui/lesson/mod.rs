@@ -11,15 +11,17 @@
 //! | `task` | a goal, hints and tries |
 //! | `way` | how near a measure is, as a bar |
 //! | `solution` | a solution played slider by slider |
+//! | `person` | the name that is asked for |
 //! | `write` | something to write |
 //! | `map`, `sheet` | the steps of the lesson, and the lessons |
 
 mod choose;
 mod estimate;
-mod formula;
+pub(super) mod formula;
 mod map;
 mod order;
 mod pad;
+mod person;
 mod place;
 mod question;
 mod references;
@@ -38,12 +40,14 @@ use std::sync::Arc;
 
 use egui::{Button, Frame, RichText, Ui};
 
+use super::curtain::Curtain;
 use super::theme::{self, Palette};
 use crate::content::{Aircraft, ContentError};
 use crate::findings::Findings;
-use crate::lesson::{Lesson, Part, Place, Record, Shelf, Step};
+use crate::lesson::{Answer, Lesson, Part, Place, Record, Shelf, Step};
 use crate::scenario::Scenario;
-use crate::scenario::link::LessonPlace;
+use crate::scenario::link::{HandedIn, LessonPlace};
+use person::person_ui;
 use question::{Asked, question_ui};
 pub use references::references_sheet_ui;
 pub use sheet::{Chosen, Offer, lessons_sheet_ui};
@@ -66,6 +70,10 @@ pub struct Session {
     asked: BTreeMap<Place, Asked>,
     /// Tasks that have been on screen.
     tried: BTreeMap<Place, Tried>,
+    /// The name of the person, as far as it is typed where it is asked for.
+    typed: String,
+    /// Whether they have asked once to begin again.
+    asks_to_forget: bool,
 }
 
 /// What a person asks for in the pane of a lesson.
@@ -79,8 +87,14 @@ pub enum Wish {
     Lesson(String),
     /// Open the scene of the step.
     Step,
+    /// Be known by this name or number.
+    Person(String),
+    /// Copy the link of a task that is reached, to hand it in.
+    HandIn(Place),
     /// See the other lessons, and the report.
     Lessons,
+    /// Fill the screen with the step.
+    Present,
     /// Close the lesson.
     Close,
 }
@@ -95,19 +109,73 @@ impl Session {
         before: Record,
         aircraft: &[Arc<Aircraft>],
     ) -> Result<Self, ContentError> {
-        let count = lesson.steps.len();
-        let step = place.step.min(count.saturating_sub(1));
+        let lesson = if before.seed.is_empty() { lesson } else { Rc::new(lesson.of_person(&before.seed)) };
+        let step = place.step.min(lesson.steps.len().saturating_sub(1));
         let start = Rc::new(start_of(&lesson.file, lesson.steps.get(step), aircraft)?);
-        let mut record = Record {
-            title: lesson.title.clone(),
-            step,
-            answers: before.answers.clone().fitting(&lesson),
-            ..before
-        };
-        record.seen.retain(|step| *step < count);
-        record.seen.insert(step);
+        let record = Record { title: lesson.title.clone(), step, ..before };
         let (asked, tried) = (BTreeMap::new(), BTreeMap::new());
-        Ok(Self { address: place.address, lesson, shelf, record, start, asked, tried })
+        let typed = String::new();
+        let mut session = Self {
+            address: place.address,
+            lesson,
+            shelf,
+            record,
+            start,
+            asked,
+            tried,
+            typed,
+            asks_to_forget: false,
+        };
+        session.fit_record();
+        Ok(session)
+    }
+
+    /// Takes over what was done in it on another page of this device. Says whether the scene of the step is another by it.
+    pub fn join(&mut self, others: Record, aircraft: &[Arc<Aircraft>]) -> bool {
+        let is_other = !others.seed.is_empty() && self.take_name(&others.seed, aircraft);
+        let before = self.record.begun_again;
+        self.record.join(others);
+        if self.record.begun_again != before {
+            (self.asked, self.tried) = Default::default();
+        }
+        self.fit_record();
+        is_other
+    }
+
+    /// Leaves out of the record what doesn't fit the lesson.
+    fn fit_record(&mut self) {
+        let count = self.lesson.steps.len();
+        self.record.version.clone_from(&self.lesson.version);
+        self.record.answers = std::mem::take(&mut self.record.answers).fitting(&self.lesson);
+        self.record.seen.retain(|step| *step < count);
+        self.record.seen.insert(self.record.step);
+    }
+
+    /// Whether the step has numbers of each person's own and waits for their name.
+    pub fn waits_for_name(&self) -> bool {
+        self.record.seed.is_empty() && self.current().is_some_and(|step| !step.vary.is_empty())
+    }
+
+    /// Takes the name from which varied numbers follow. Says whether the scene of the step is another by it.
+    pub fn take_name(&mut self, person: &str, aircraft: &[Arc<Aircraft>]) -> bool {
+        let waited = self.waits_for_name();
+        if self.record.seed.is_empty() && self.lesson.varies() {
+            self.record.seed = person.to_owned();
+            self.lesson = Rc::new(self.lesson.of_person(person));
+            if let Ok(start) = start_of(&self.lesson.file, self.current(), aircraft) {
+                self.start = Rc::new(start);
+            }
+        }
+        waited
+    }
+
+    /// The pieces of a link by which a task is handed in, after those of a scene, with the scene that reached its goal.
+    pub fn handed_in(&self, place: Place, by: &str) -> Option<String> {
+        let given = self.record.answers.get(place)?;
+        let handed_in =
+            HandedIn { by: by.to_owned(), hints: given.hints, solution_shown: given.solution_shown };
+        let scene = self.record.scenes.get(&place)?;
+        Some(format!("{scene}{}{}", self.place().in_link(), handed_in.in_link()))
     }
 
     /// Where the person is.
@@ -120,9 +188,33 @@ impl Session {
         &self.address
     }
 
+    /// Tells its numbers as a scene shows them.
+    pub fn tell_as(&mut self, scene: &Scenario) {
+        let start = self.start.scenario();
+        let told = start.clone().shown_as(scene);
+        if *start != told {
+            self.start = Rc::new(Findings::of(told));
+        }
+    }
+
     /// Whether its file is on this device only.
     pub fn is_own(&self) -> bool {
         !self.record.files.is_empty()
+    }
+
+    /// Its steps.
+    pub fn steps(&self) -> &[Step] {
+        &self.lesson.steps
+    }
+
+    /// The step that the person is at.
+    pub fn step(&self) -> Option<&Step> {
+        self.current()
+    }
+
+    /// What follows from the scene of the step at its start.
+    pub fn start(&self) -> &Findings {
+        &self.start
     }
 
     /// What has been done in it.
@@ -132,6 +224,7 @@ impl Session {
 
     /// Keeps the scene of each task of the step: the last that met its goal, and until there is one the last that was tried.
     pub fn keep_scene(&mut self, now: &Findings, aircraft: &[Arc<Aircraft>], link: impl Fn() -> String) {
+        self.tell_as(now.scenario());
         if now.scenario() == self.start.scenario() {
             return;
         }
@@ -182,18 +275,52 @@ impl Session {
         from_question.any(|(_, part)| matches!(part, Part::Task(_)))
     }
 
+    /// Heading of the step.
+    pub fn heading(&self) -> &str {
+        self.current().map_or("", |step| &step.title)
+    }
+
+    /// How many steps are done, of those that there are.
+    pub fn done(&self) -> (usize, usize) {
+        self.record.done(&self.lesson)
+    }
+
+    /// Whether an answer to a question of the step is right; `None` where there is nothing to compare it with.
+    pub fn is_right(&self, place: Place, answer: &Answer, aircraft: &[Arc<Aircraft>]) -> Option<bool> {
+        let part = self.current().filter(|_| place.step == self.record.step)?.parts.get(place.part)?;
+        let Part::Prediction(prediction) = part else { return None };
+        let truth = prediction.truth(&self.start, aircraft)?;
+        Some(truth.compare(&prediction.kind, answer).is_right())
+    }
+
     fn current(&self) -> Option<&Step> {
         self.lesson.steps.get(self.record.step)
     }
 
+    /// Puts back what had been done in it before, at the step where it is.
+    pub fn forget(&mut self, before: Record) {
+        let step = self.record.step;
+        self.record = Record { step, ..before };
+        self.record.seen.insert(step);
+    }
+
+    /// Begins again at the first step, without what was answered.
+    fn begin_again(&mut self, aircraft: &[Arc<Aircraft>]) {
+        self.record = self.record.begun_again();
+        (self.asked, self.tried) = Default::default();
+        self.go_to(0, aircraft);
+    }
+
     /// Goes to another step. Says whether its scene is another.
-    fn go_to(&mut self, step: usize, aircraft: &[Arc<Aircraft>]) -> bool {
+    pub fn go_to(&mut self, step: usize, aircraft: &[Arc<Aircraft>]) -> bool {
         let before = (self.link().to_owned(), self.offered());
         self.record.step = step.min(self.lesson.steps.len().saturating_sub(1));
         self.record.seen.insert(self.record.step);
+        let before_it = self.start.clone();
         if let Ok(start) = start_of(&self.lesson.file, self.current(), aircraft) {
             self.start = Rc::new(start);
         }
+        self.tell_as(before_it.scenario());
         before != (self.link().to_owned(), self.offered())
     }
 }
@@ -208,10 +335,12 @@ fn start_of(file: &str, step: Option<&Step>, aircraft: &[Arc<Aircraft>]) -> Resu
     })
 }
 
-/// Draws the step, and gives what the person asks for. `now` is what follows from the scene on screen.
+/// Draws the step, and gives what the person asks for; `person` is their name, empty as long as it isn't known. `now` is what
+/// follows from the scene on screen.
 pub fn lesson_ui(
     ui: &mut Ui,
     session: &mut Session,
+    person: &str,
     now: &Findings,
     aircraft: &[Arc<Aircraft>],
 ) -> Option<Wish> {
@@ -220,10 +349,18 @@ pub fn lesson_ui(
     ui.horizontal(|ui| {
         let title = RichText::new(&session.lesson.title).font(theme::small()).color(palette.weak);
         ui.label(title);
+        if Curtain::of(ui).keeps() {
+            return;
+        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let close = Button::new(RichText::new("Close").font(theme::small()));
             if ui.add(close).accessible_name("Close the lesson").clicked() {
                 wish = Some(Wish::Close);
+            }
+            let present = Button::new(RichText::new("Present").font(theme::small()));
+            let present = ui.add(present).accessible_name("Present this lesson");
+            if present.on_hover_text("Each step fills the screen, for a room to look at (F)").clicked() {
+                wish = Some(Wish::Present);
             }
         });
     });
@@ -231,9 +368,14 @@ pub fn lesson_ui(
     let Some(step) = session.lesson.steps.get(index) else { return wish };
     theme::heading(ui, RichText::new(&step.title).font(theme::semibold(theme::sizes(ui).card)), 2);
     let context = text::Context { start: &session.start, shelf: &session.shelf, aircraft };
-    // What comes after a question is shown once it has its answer.
-    let mut is_open = true;
-    for (place, part) in step.parts.iter().enumerate() {
+    // What comes after a question is shown once it has its answer; of varied numbers nothing before it is known whose they are.
+    let mut is_open = !session.waits_for_name();
+    let parts = if is_open { &step.parts[..] } else { &[] };
+    if !is_open {
+        let why = "Here everybody has numbers of their own. They follow from your name or number, so type it as you will hand it in.";
+        wish = person_ui(ui, why, &mut session.typed).or(wish);
+    }
+    for (place, part) in parts.iter().enumerate() {
         let at = Place { step: index, part: place };
         match part {
             Part::Text(text) => wish = text_ui(ui, text, context).or(wish),
@@ -250,8 +392,17 @@ pub fn lesson_ui(
                 let (given, tried) = (session.record.answers.at(at), session.tried.entry(at).or_default());
                 let asked = ui.push_id(at, |ui| task_ui(ui, task, given, tried, now, context)).inner;
                 wish = asked.or(wish);
+                if given.reached && session.lesson.is_homework() {
+                    if person.is_empty() {
+                        wish = person_ui(ui, "To hand it in, tell whose it is.", &mut session.typed).or(wish);
+                    } else if ui.button("Copy the link to hand in").clicked() {
+                        wish = Some(Wish::HandIn(at));
+                    }
+                }
             }
             Part::Reveal(_) | Part::Task(_) => {}
+            // They are for whoever presents.
+            Part::Notes(_) => continue,
             Part::Write(writing) => {
                 let given = session.record.answers.at(at);
                 ui.push_id(at, |ui| write_ui(ui, writing, given, context));
@@ -261,14 +412,18 @@ pub fn lesson_ui(
     }
     let count = session.lesson.steps.len();
     ui.separator();
-    let mut to = None;
+    let (mut to, mut begins_again) = (None, false);
     ui.horizontal(|ui| {
         if ui.add_enabled(index > 0, Button::new("← Back")).clicked() {
             to = Some(index - 1);
         }
-        to = map::map_ui(ui, &session.lesson, &session.record).or(to);
+        match map::map_ui(ui, &session.lesson, &session.record, &mut session.asks_to_forget) {
+            Some(map::Chosen::Step(step)) => to = Some(step),
+            Some(map::Chosen::Again) => begins_again = true,
+            None => {}
+        }
         if index + 1 == count {
-            if ui.button("To the lessons").clicked() {
+            if !Curtain::of(ui).keeps() && ui.button("To the lessons").clicked() {
                 wish = Some(Wish::Lessons);
             }
             return;
@@ -278,6 +433,10 @@ pub fn lesson_ui(
             to = Some(index + 1);
         }
     });
+    if begins_again {
+        session.begin_again(aircraft);
+        return Some(Wish::Step);
+    }
     if let Some(to) = to
         && session.go_to(to, aircraft)
     {

@@ -30,7 +30,7 @@ pub fn order_ui(
         return;
     }
     let Some(Truth::Values(values)) = truth else { return };
-    let length = context.start.scenario().aircraft.length_unit;
+    let convention = context.start.scenario().convention();
     let mut right: Vec<usize> = (0..values.len()).collect();
     right.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
     let palette = Palette::of(ui);
@@ -43,7 +43,7 @@ pub fn order_ui(
     let in_words = |number: usize| {
         let value = values
             .get(number)
-            .map_or_else(String::new, |value| words::measure::number(measure.dimension(), *value, length));
+            .map_or_else(String::new, |value| words::measure::value(measure, *value, convention));
         format!("{} ({value})", says(number))
     };
     let list: Vec<String> = right.into_iter().map(in_words).collect();

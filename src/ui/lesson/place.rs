@@ -36,7 +36,7 @@ pub fn place_ui(
 ) {
     let palette = Palette::of(ui);
     let Some(Truth::Pole(pole)) = truth else { return };
-    let poles = context.start.modes();
+    let poles = context.start.flown_modes();
     let before = poles.iter().find(|found| found.naming.name == mode).filter(|_| moves);
     let (rect, response) =
         pad::room(ui, HEIGHT, if given.is_final { Sense::HOVER } else { Sense::click_and_drag() });

@@ -8,8 +8,8 @@ use super::order::order_ui;
 use super::place::place_ui;
 use super::sketch::{Hand, sketch_ui};
 use super::text::{Context, text_ui};
-use crate::lesson::drawing;
 use crate::lesson::{Answer, Comparison, Estimated, Given, Kind, PlaceCompared, Prediction, Truth};
+use crate::lesson::{drawing, said};
 use crate::ui::theme::{self, Palette};
 use crate::words;
 
@@ -43,11 +43,18 @@ pub fn question_ui(
     });
     // The axes of a place and of a sketch need it before.
     let needs_axes = matches!(prediction.kind, Kind::Place { .. } | Kind::Sketch { .. });
-    let truth = if given.is_final || needs_axes { asked.truth(prediction, context) } else { None };
+    let is_judged = given.is_final || !given.earlier.is_empty();
+    let truth = if is_judged || needs_axes { asked.truth(prediction, context) } else { None };
+    if !given.is_final
+        && let Some(worth) = said::worth(prediction)
+    {
+        ui.label(RichText::new(worth).font(theme::small()).color(Palette::of(ui).weak));
+    }
+    let mut gives = false;
     match &prediction.kind {
         Kind::Choose { choices, several } => choose_ui(ui, choices, *several, given),
         Kind::Estimate { measure, .. } => {
-            estimate_ui(ui, *measure, given, &mut asked.typed, truth.as_ref(), context);
+            gives = estimate_ui(ui, *measure, given, &mut asked.typed, truth.as_ref(), context);
         }
         Kind::Order { items, measure, .. } => {
             order_ui(ui, items, *measure, given, truth.as_ref(), context);
@@ -60,30 +67,38 @@ pub fn question_ui(
             sketch_ui(ui, *output, given, &mut asked.hand, truth.as_ref(), context);
         }
     }
-    if given.is_final {
+    if !given.is_final {
+        gives |= buttons_ui(ui, given);
+    }
+    if gives {
+        let truth = asked.truth(prediction, context);
+        let is_right = truth
+            .zip(given.answer.as_ref())
+            .is_none_or(|(truth, answer)| truth.compare(&prediction.kind, answer).is_right());
+        given.give(is_right, prediction.tries);
+    }
+    if is_judged {
         outcome_ui(ui, prediction, given, truth.as_ref(), context);
-    } else {
-        buttons_ui(ui, given);
     }
 }
 
-/// The buttons below a question; "I don't know" is an answer too.
-fn buttons_ui(ui: &mut Ui, given: &mut Given) {
-    ui.horizontal(|ui| {
+/// The buttons below a question, and whether the answer is given; "I don't know" is an answer too, and the last.
+fn buttons_ui(ui: &mut Ui, given: &mut Given) -> bool {
+    let row = ui.horizontal(|ui| {
         let can = given.answer.as_ref().is_some_and(|answer| match answer {
             Answer::Sketch(drawn) => drawing::is_whole(drawn),
             _ => true,
         });
-        if ui.add_enabled(can, Button::new("Answer")).clicked() {
-            given.is_final = true;
-            if let Some(Answer::Sketch(drawn)) = &mut given.answer {
-                drawing::finish(drawn);
-            }
+        let gives = ui.add_enabled(can, Button::new("Answer")).clicked();
+        if gives && let Some(Answer::Sketch(drawn)) = &mut given.answer {
+            drawing::finish(drawn);
         }
         if ui.button("I don’t know").clicked() {
             given.answer(Answer::DontKnow);
         }
+        gives
     });
+    row.inner
 }
 
 /// What is said of an answer: whether it is right, and the reasons that fit what is wrong with it.
@@ -94,14 +109,17 @@ fn outcome_ui(
     truth: Option<&Truth>,
     context: Context<'_>,
 ) {
-    let (Some(answer), Some(truth)) = (given.final_answer(), truth) else {
+    let (Some(answer), Some(truth)) = (given.final_answer().or(given.earlier.last()), truth) else {
         ui.label("There is nothing to compare it with at this scene.");
         return;
     };
     let outcome = truth.compare(&prediction.kind, answer);
     let palette = Palette::of(ui);
     let color = color(&outcome, palette);
-    ui.label(RichText::new(outcome.says()).font(theme::semibold(theme::body().size)).color(color));
+    let strong = theme::semibold(theme::body().size);
+    let earned = prediction.points.filter(|_| given.is_final);
+    let earned = earned.map_or_else(String::new, |of| format!(" {}.", said::earned(of, outcome.is_right())));
+    ui.label(RichText::new(format!("{}{earned}", outcome.says())).font(strong.clone()).color(color));
     let features = match outcome {
         Comparison::Sketch { first, swings, ends } => words::lesson::features(first, swings, ends).to_vec(),
         _ => Vec::new(),
@@ -112,6 +130,9 @@ fn outcome_ui(
     }
     for reason in outcome.reasons(&prediction.kind) {
         text_ui(ui, reason, context);
+    }
+    if !given.is_final {
+        ui.label(RichText::new(said::tries_left(given.tries_left(prediction.tries))).font(strong));
     }
 }
 

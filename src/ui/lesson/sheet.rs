@@ -1,8 +1,10 @@
 //! The sheet that offers the lessons of the course.
 
+use std::rc::Rc;
+
 use egui::{Frame, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::lesson::{Course, Records};
+use crate::lesson::{Course, Lesson, Records, said};
 use crate::ui::finger;
 use crate::ui::theme::{self, Palette};
 
@@ -26,6 +28,8 @@ pub enum Chosen {
     File,
     /// To ask for the course once more.
     Again,
+    /// To make a lecture of links.
+    Links,
     /// To see the references.
     References,
     /// To save the report.
@@ -84,6 +88,9 @@ pub fn lessons_sheet_ui(
             if has_files && ui.button("Open a file …").clicked() {
                 chosen = Some(Chosen::File);
             }
+            if ui.button("A lecture from links …").clicked() {
+                chosen = Some(Chosen::Links);
+            }
             if matches!(offer, Offer::Course(_)) && ui.button("References").clicked() {
                 chosen = Some(Chosen::References);
             }
@@ -99,8 +106,28 @@ const REPORT: &str = "A page to print or hand in: what you predicted, what happe
     Nothing leaves this device unless you send it. Drop it on this page to go on with it elsewhere.";
 
 fn course_ui(ui: &mut Ui, course: &Course, records: &Records) -> Option<Chosen> {
+    let lessons = course.lessons.iter().filter(|lesson| !lesson.lecture);
+    let mut lectures = course.lessons.iter().filter(|lesson| lesson.lecture).peekable();
+    let mut chosen = list_ui(ui, lessons, records);
+    if lectures.peek().is_some() {
+        ui.add_space(12.0);
+        theme::heading(ui, RichText::new("Lectures").font(theme::semibold(theme::sizes(ui).card)), 3);
+        ui.label(RichText::new("To be presented to a room.").font(theme::small()));
+        chosen = list_ui(ui, lectures, records).or(chosen);
+    }
+    for error in &course.errors {
+        ui.label(RichText::new(format!("⚠ {error}")).color(Palette::of(ui).bad));
+    }
+    chosen
+}
+
+fn list_ui<'l>(
+    ui: &mut Ui,
+    lessons: impl Iterator<Item = &'l Rc<Lesson>>,
+    records: &Records,
+) -> Option<Chosen> {
     let mut chosen = None;
-    for lesson in &course.lessons {
+    for lesson in lessons {
         ui.add_space(8.0);
         let title = RichText::new(&lesson.title).font(theme::semibold(theme::sizes(ui).value));
         if ui.button(title).clicked() {
@@ -109,14 +136,16 @@ fn course_ui(ui: &mut Ui, course: &Course, records: &Records) -> Option<Chosen> 
         let about = lesson.about.as_deref().unwrap_or_default();
         let done = records.lessons.get(lesson.key()).map(|record| record.done(lesson));
         let about = match done {
+            // Nobody answers a lecture.
+            _ if lesson.lecture => match lesson.minutes() {
+                Some(minutes) => format!("{} · {about}", said::minutes(minutes)),
+                None => about.to_owned(),
+            },
             Some((done, count)) if done == count => format!("✓ done · {about}"),
             Some((done, count)) => format!("{done} of {count} steps done · {about}"),
             None => about.to_owned(),
         };
         ui.label(RichText::new(about).font(theme::small()));
-    }
-    for error in &course.errors {
-        ui.label(RichText::new(format!("⚠ {error}")).color(Palette::of(ui).bad));
     }
     chosen
 }

@@ -46,7 +46,7 @@ pub fn sketch_ui(
     let palette = Palette::of(ui);
     let Some(Truth::Curve { values: found, dt }) = truth else { return };
     let quantity = Quantity::of(output);
-    let length = context.start.scenario().aircraft.length_unit;
+    let length = context.start.scenario().length_unit();
     let (symbol, unit) = (quantity.dimension.symbol(length), quantity.dimension.in_si(length));
     let duration = (*dt * found.len().saturating_sub(1) as f64).max(1e-3);
     let largest = found.iter().fold(0.0, |most: f64, value| most.max(value.abs())).max(1e-9) / unit;

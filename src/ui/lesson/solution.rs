@@ -73,7 +73,11 @@ impl Played {
             } else {
                 "○"
             };
-            let sentence = format!("{mark} {}, {}", step.parameter.symbol, step.in_words(&self.mine));
+            let sentence = format!(
+                "{mark} {}, {}",
+                step.parameter.written(self.mine.convention()).symbol,
+                step.in_words(&self.mine)
+            );
             let color = if is_moving { palette.text } else { palette.weak };
             ui.label(prose(&sentence, theme::body(), color));
         }

@@ -76,7 +76,18 @@ pub fn task_ui(
         };
         ui.label(RichText::new(text).font(theme::small()).color(palette.weak));
     }
-    if task.is_met(context.start, now, context.aircraft) {
+    if let Some(worth) = said::worth_of_task(task, given) {
+        ui.label(RichText::new(worth).font(theme::small()).color(palette.weak));
+    }
+    let is_met = task.is_met(context.start, now, context.aircraft);
+    // What doesn't count is told where it would be taken for done.
+    if !is_met
+        && progress(task, context.start, now, context.aircraft).iter().all(|progress| progress.met)
+        && let Some(unfit) = task.unfit(context.start, now)
+    {
+        ui.label(RichText::new(said::unfit(&unfit)).font(theme::small()).color(palette.warning));
+    }
+    if is_met {
         given.reached = true;
         let done = RichText::new("✓ Done").font(theme::semibold(theme::sizes(ui).value));
         ui.label(done.color(palette.good));
@@ -94,7 +105,9 @@ pub fn task_ui(
         return scene.or(wish);
     }
     ui.horizontal_wrapped(|ui| {
-        if given.hints < task.hints.len() && ui.button("Give me a hint").clicked() {
+        // Where a hint costs the points, nobody loses them by one that is of no use any more.
+        let may_ask = given.hints < task.hints.len() && !(task.unaided && given.reached);
+        if may_ask && ui.button("Give me a hint").clicked() {
             given.hints += 1;
         }
         wish = solution_ui(ui, task, given, tried, now, context).or(wish.take());
@@ -105,7 +118,7 @@ pub fn task_ui(
     wish
 }
 
-/// The button that plays the solution, once there have been tries and hints enough; before, how many are to come.
+/// The button that plays the solution, once all hints were shown and there have been tries enough; before, how many are to come.
 fn solution_ui(
     ui: &mut Ui,
     task: &Task,
@@ -120,8 +133,7 @@ fn solution_ui(
     if given.hints < task.hints.len() {
         return None;
     }
-    // Whoever has asked for a hint has tried.
-    let left = (tries as usize).saturating_sub(given.tries as usize + given.hints);
+    let left = tries.saturating_sub(given.tries);
     if left > 0 && !given.reached {
         let text = match left {
             1 => "A solution comes after one more try.".to_owned(),
@@ -142,13 +154,13 @@ fn solution_ui(
 /// A condition: what it measures, from where it comes, where it is and where it is to go.
 fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context: Context<'_>) {
     let palette = Palette::of(ui);
-    let length = context.start.scenario().aircraft.length_unit;
+    let convention = context.start.scenario().convention();
     let measure = condition.measure;
     let now = match &progress.now {
-        Ok(reading) => words::measure::reading(measure, *reading, length),
-        Err(absence) => words::measure::absence(absence),
+        Ok(reading) => words::measure::reading(measure, *reading, convention),
+        Err(absence) => words::measure::absence(absence, convention.length),
     };
-    let wanted = said::wanted(measure, &condition.wanted, progress, length);
+    let wanted = said::wanted(measure, &condition.wanted, progress, convention);
     let mark = if progress.met { "✓" } else { "○" };
     let color = if progress.met { palette.good } else { palette.text };
     // Of a number that is hidden only whether it is what is wanted.
@@ -163,7 +175,7 @@ fn condition_ui(ui: &mut Ui, condition: &Condition, progress: &Progress, context
         format!("{mark} {}: wanted {wanted}", words::measure::name(measure))
     } else {
         let name = words::measure::name(measure);
-        let start = progress.start.as_ref().map(|start| words::measure::reading(measure, *start, length));
+        let start = progress.start.as_ref().map(|start| words::measure::reading(measure, *start, convention));
         match &start {
             Ok(start) if *start != now => {
                 format!("{mark} {name}: {now}, at the start {start}, wanted {wanted}")

@@ -163,7 +163,10 @@ fn spans_ui(ui: &mut Ui, spans: &[&Span], is_strong: bool, context: Context<'_>)
             What::Words(words) | What::Symbol(words) => words.clone(),
             What::Number(number) => match number.value(context.start, context.aircraft) {
                 Some(Ok(value)) => value,
-                Some(Err(absence)) => format!("({})", words::measure::absence(&absence)),
+                Some(Err(absence)) => {
+                    let length = context.start.scenario().length_unit();
+                    format!("({})", words::measure::absence(&absence, length))
+                }
                 None => String::new(),
             },
             What::Formula(formula) if formula.is_flat() => formula.line(),

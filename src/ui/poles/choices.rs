@@ -11,7 +11,7 @@ use crate::findings::{Findings, by_strength};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::view::Marks;
-use crate::scenario::{Hidden, Lock, Page, Parameter};
+use crate::scenario::{Convention, Hidden, Lock, Page, Parameter};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives::Rows;
 use crate::ui::influence;
@@ -35,7 +35,7 @@ pub struct Choices {
 impl Choices {
     /// Keys of what the drag of a mode moves.
     pub fn movers(&self, findings: &Findings, index: usize, page: Page) -> Vec<&'static str> {
-        let name = findings.modes().get(index).map(|mode| mode.naming.name);
+        let name = findings.flown_modes().get(index).map(|mode| mode.naming.name);
         let chosen = self.chosen.iter().find(|((on, of), _)| *on == page && Some(*of) == name);
         chosen.map_or_else(|| findings.movers(index, page), |(_, keys)| keys.clone())
     }
@@ -102,13 +102,14 @@ impl Choices {
 
     /// Names what the drag moves, and lets a person choose.
     fn movers_ui(&mut self, ui: &mut Ui, findings: &Findings, page: Page) {
-        let modes = findings.modes();
+        let modes = findings.flown_modes();
         let of_subject = modes.iter().position(|mode| Some(mode.naming.name) == self.subject);
         let mut index = of_subject.unwrap_or(0);
         let Some(mode) = modes.get(index) else { return };
         let palette = Palette::of(ui);
         let keys = self.free_movers(ui, findings, index, page);
         let curtain = Curtain::of(ui);
+        let convention = findings.scenario().convention();
         let parameters: Vec<&'static Parameter> =
             keys.iter().filter_map(|key| Parameter::find(key)).collect();
         let job = |before: &str, written: usize| {
@@ -117,7 +118,11 @@ impl Choices {
             job.append(before, 0.0, text(palette.weak));
             for (i, p) in parameters.iter().take(written).enumerate() {
                 job.append(if i > 0 { ", " } else { " " }, 0.0, text(palette.text));
-                Symbol::parse(p.symbol).append_to(&mut job, theme::sizes(ui).inline_symbol, palette.text);
+                Symbol::parse(p.written(convention).symbol).append_to(
+                    &mut job,
+                    theme::sizes(ui).inline_symbol,
+                    palette.text,
+                );
             }
             match parameters.len() {
                 0 => job.append(" nothing", 0.0, text(palette.text)),
@@ -135,11 +140,17 @@ impl Choices {
         let fits = |job: &LayoutJob| ui.painter().layout_job(job.clone()).size().x <= room;
         let [whole, shorter, shortest, least] = jobs.map(|(before, written)| job(before, written));
         let job = [whole, shorter, shortest].into_iter().find(fits).unwrap_or(least);
-        let plain: Vec<String> = parameters.iter().map(|p| Symbol::parse(p.symbol).plain()).collect();
+        let plain: Vec<String> =
+            parameters.iter().map(|p| Symbol::parse(p.written(convention).symbol).plain()).collect();
         let name =
             format!("Drag of the {} moves {}", curtain.in_a_sentence(mode.naming.name), plain.join(", "));
         let button = ui.add(Button::new(job).frame_when_inactive(false)).accessible_name(name);
-        let button = button.on_hover_text("Which derivatives change when a pole is dragged");
+        let changed = if page == Page::Feedback {
+            "Which gains change when a pole is dragged"
+        } else {
+            "Which derivatives change when a pole is dragged"
+        };
+        let button = button.on_hover_text(changed);
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         // Boxes to tick have their outline, which the style of menus takes away.
         let popup = popup.style(StyleModifier::default());
@@ -166,7 +177,7 @@ impl Choices {
                 for key in by_strength(rows, index).into_iter().filter(|key| is_free(&curtain, key)) {
                     let strength =
                         rows.iter().find(|row| row.key == key).and_then(|row| row.strengths[index]);
-                    mover_ui(ui, key, strength, mode, &mut keys);
+                    mover_ui(ui, (key, convention), strength, mode, &mut keys);
                 }
             });
             if keys != before {
@@ -177,7 +188,7 @@ impl Choices {
 }
 
 fn is_free(curtain: &Curtain, key: &str) -> bool {
-    Parameter::find(key).is_some_and(|parameter| curtain.frees(parameter))
+    Parameter::find(key).is_some_and(|parameter| curtain.frees(parameter) && !parameter.is_filter())
 }
 
 /// Whether approximations are marked: they have the name of a mode, and its numbers.
@@ -193,7 +204,7 @@ pub fn shows_levels(curtain: &Curtain) -> bool {
 /// One derivative of the list: chosen or not, its name, and a bar for how strongly it moves the mode.
 fn mover_ui(
     ui: &mut Ui,
-    key: &'static str,
+    (key, convention): (&'static str, Convention),
     strength: Option<f64>,
     mode: &Mode,
     keys: &mut Vec<&'static str>,
@@ -201,7 +212,7 @@ fn mover_ui(
     let Some(parameter) = Parameter::find(key) else { return };
     let palette = Palette::of(ui);
     ui.horizontal(|ui| {
-        let symbol = Symbol::parse(parameter.symbol);
+        let symbol = Symbol::parse(parameter.written(convention).symbol);
         let mut job = symbol.job(theme::sizes(ui).symbol, palette.text);
         let name = TextFormat::simple(theme::small(), palette.weak);
         job.append(&format!("  {}", parameter.name), 0.0, name);

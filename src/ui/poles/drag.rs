@@ -1,16 +1,18 @@
 //! A pole under the hand: what holds it, where it is wanted, and what came of it.
 
+use std::fmt::Display;
 use std::rc::Rc;
 
 use egui::Vec2;
 use nalgebra::Complex;
 
-use crate::findings::Findings;
+use crate::findings::{Findings, PlacementError};
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
-use crate::scenario::Scenario;
+use crate::scenario::{Page, Scenario};
 use crate::ui::chart::Chart;
 use crate::ui::curtain::Curtain;
+use crate::words;
 
 /// The move of a pole by a person's hand in this frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,6 +39,8 @@ pub struct DraggedPole {
     pub mode: Mode,
     /// Keys of what may move.
     pub movers: Vec<&'static str>,
+    /// The page that they are on.
+    pub page: Page,
     /// From the pole to the pointer when it was taken.
     pub grip: Vec2,
     /// Whether the lower one of the pair is held.
@@ -76,22 +80,32 @@ pub struct Outcome {
     pub wanted: Complex<f64>,
 }
 
-/// Moves the pole of `mode`, by name and sentence.
+/// Moves the pole of `mode` by what may move on a page, by name and sentence.
 pub fn place(
     findings: &Findings,
     mode: &Mode,
     wanted: Complex<f64>,
-    movers: &[&str],
+    (movers, page): (&[&str], Page),
 ) -> (Option<Scenario>, Outcome) {
     let name = mode.naming.name;
-    match findings.place_pole(mode, wanted, movers) {
+    let in_notation = |reason: &dyn Display| {
+        words::notation::prose(&reason.to_string(), findings.scenario().notation).into_owned()
+    };
+    let placed = match page {
+        Page::Feedback if findings.is_opened() && findings.closed_loop().is_some() => {
+            Err(PlacementError::ShownOpen)
+        }
+        Page::Feedback if movers.is_empty() => Err(PlacementError::NoGainChosen),
+        _ => findings.place_pole(mode, wanted, movers),
+    };
+    match placed {
         Ok(placed) => {
-            let obstacle = placed.obstacle.map(|obstacle| obstacle.to_string());
+            let obstacle = placed.obstacle.map(|obstacle| in_notation(&obstacle));
             let outcome = Outcome { name, obstacle, lambda: placed.lambda, wanted: placed.wanted };
             (Some(placed.scenario), outcome)
         }
         Err(error) => {
-            (None, Outcome { name, obstacle: Some(error.to_string()), lambda: mode.lambda, wanted })
+            (None, Outcome { name, obstacle: Some(in_notation(&error)), lambda: mode.lambda, wanted })
         }
     }
 }

@@ -216,9 +216,10 @@ pub fn labels(
     // Those that are a whole number of steps from the one that is written.
     let mut arcs = arc_frequencies(chart.view).peekable();
     let first = written.or(arcs.peek().copied()).unwrap_or(0.0);
+    let apart = if theme::is_for_a_room(painter.ctx()) { 2.2 * APART } else { APART };
     let mut last = first;
     for wn in arcs.filter(|wn| *wn > first) {
-        if wn - last > f64::from(APART) * chart.per_point() {
+        if wn - last > f64::from(apart) * chart.per_point() {
             arc_label(painter, chart, palette, placement, wn);
             last = wn;
         }

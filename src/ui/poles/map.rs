@@ -8,21 +8,32 @@ use nalgebra::Complex;
 use super::drag::{DraggedPole, Outcome};
 use super::trail::Trail;
 use super::{NARROW, NARROWEST, PoleMapContent, boundaries, grid, marks};
+use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::level_boundaries::Boundary;
-use crate::number::round_up;
+use crate::number::{nice_step, round_up};
+use crate::scenario::{Hidden, Parameter};
 use crate::ui::chart::{Chart, View};
 use crate::ui::curtain::Curtain;
 use crate::ui::labels::{Place, Placement, RememberedPlace, Wanted, draw_leader};
 use crate::ui::theme::{self, Palette};
+use crate::words;
 
 /// Room above a map for its name and its buttons.
 pub const CAPTION: f32 = 18.0;
 
+/// Round gains along the whole of a path, at first and at most; fewer numbers on a map than this are too few to go by.
+const GAINS: f64 = 12.0;
+const MOST_GAINS: f64 = 120.0;
+const FEWEST: usize = 3;
+
 /// What a leader costs beside its length: more than all else, so that a label stands beside its pole wherever it can.
 const LEADER: f32 = 10_000.0;
+
+/// How much of its colour a pole of the other state of a loop has.
+const FAINT: f32 = 0.6;
 
 /// Space that a mark keeps clear of labels.
 const MARK: f32 = 14.0;
@@ -53,6 +64,8 @@ pub struct Extras<'a> {
     pub approximations: bool,
     /// Boundaries of levels.
     pub boundaries: &'a [Boundary],
+    /// Poles of the other state of a loop, closed or open.
+    pub other: &'a [&'a Mode],
     /// The pole that is held on this map.
     pub held: Option<&'a DraggedPole>,
     /// What came of it.
@@ -124,9 +137,19 @@ impl Map<'_> {
             frame(&painter, chart, palette, inset);
         }
         marks::dotted(&painter, palette, &paths);
+        let gains =
+            seen.locus.map_or_else(Vec::new, |(parameter, locus)| gains(chart, seen, parameter, locus));
+        for gain in &gains {
+            let color = gain.name.map_or(palette.pinned, |name| palette.mode(name));
+            painter.circle_filled(gain.at, 2.4, color);
+        }
         extras.trail.draw(&painter, chart, palette);
         for mode in seen.pinned.into_iter().flatten() {
             marks::ring(&painter, chart, mode.lambda, palette.pinned);
+        }
+        for mode in extras.other {
+            let color = palette.mode(mode.naming.name).gamma_multiply(FAINT);
+            marks::both(mode.lambda, |pole| marks::square(&painter, chart.position(pole), color));
         }
         let approximated =
             || marks::approximated(&seen.plane.approximations).filter(|_| extras.approximations);
@@ -145,12 +168,20 @@ impl Map<'_> {
             marks::mode(&painter, chart, palette, mode);
         }
 
-        let rings = seen.pinned.into_iter().flatten().map(|mode| mode.lambda);
+        let rings =
+            seen.pinned.into_iter().flatten().chain(extras.other.iter().copied()).map(|mode| mode.lambda);
         let others: Vec<Complex<f64>> = rings.chain(approximated().map(|(_, root)| root)).collect();
         let mut placement = self.occupied(chart, &others);
         let written = grid::scale(&painter, chart, palette, &mut placement);
         extras.taken.into_iter().for_each(|taken| placement.keep_clear(taken));
         boundaries::keep_clear(&mut placement, &levels);
+        for gain in gains.iter().filter(|gain| !gain.text.is_empty()) {
+            let font = FontId::proportional(theme::sizes(ui).tick);
+            let galley = painter.layout_no_wrap(gain.text.clone(), font, palette.weak);
+            let place = Rect::from_min_size(gain.at + Vec2::new(4.0, -galley.size().y), galley.size());
+            placement.keep_clear(place);
+            painter.galley(place.min, galley, palette.weak);
+        }
         marks::shun(&mut placement, &paths);
         stood.rests = !ui.input(|input| input.pointer.any_down());
         for (_, label) in self.labels(&painter, palette, chart, &mut placement, extras.inset, stood) {
@@ -241,15 +272,59 @@ impl Map<'_> {
         poles
     }
 
-    /// What the map shows, in words.
-    pub fn describe(&self, curtain: &Curtain) -> String {
+    /// What the map shows, in words; with where the poles have gone since they `began` to move, and the hollow squares of an `other` state
+    /// by what that is.
+    pub fn describe(
+        &self,
+        curtain: &Curtain,
+        began: &[(ModeName, Complex<f64>)],
+        (of_other, other): (&str, &[&Mode]),
+    ) -> String {
         let words = |index: usize| {
             let mode = &self.modes[index];
             let title = curtain.title(mode.naming.name);
             curtain.numbers(mode).map_or_else(|| title.to_owned(), |numbers| format!("{title} {numbers}"))
         };
         let modes: Vec<String> = curtain.order(self.modes).into_iter().map(words).collect();
-        format!("Pole map, {}: {}", self.captions[0], modes.join("; "))
+        let [numbers, verdicts] = [Hidden::Numbers, Hidden::Verdicts].map(|hidden| !curtain.hides(hidden));
+        let seen = words::pole_map::seen(self.modes, numbers, verdicts);
+        let mut described = format!("Pole map, {}: {}. {seen}", self.captions[0], modes.join("; "));
+        for mode in self.modes {
+            let before = began.iter().find(|(name, _)| *name == mode.naming.name);
+            if let Some(way) = before.and_then(|(_, before)| words::pole_map::moved(mode, *before)) {
+                described.push_str(&format!(". {} has moved {way}", curtain.title(mode.naming.name)));
+            }
+        }
+        if !other.is_empty() {
+            let seen = words::pole_map::seen(other.iter().copied(), numbers, verdicts);
+            described.push_str(&format!(". Hollow squares, {of_other}: {seen}"));
+        }
+        described
+    }
+}
+
+/// Round gains on the path of a gain; nothing on other paths.
+fn gains(
+    chart: &Chart,
+    seen: &PoleMapContent<'_>,
+    parameter: &Parameter,
+    locus: &Locus,
+) -> Vec<marks::RoundValue> {
+    if !parameter.is_gain() {
+        return Vec::new();
+    }
+    let scenario = seen.findings.scenario();
+    let unit = parameter.written(scenario.convention()).in_si;
+    let range = parameter.range(scenario);
+    let width = (range.end() - range.start()) / unit;
+    let mut step = nice_step(width / GAINS);
+    loop {
+        let (values, written) = marks::round_values(chart, locus, (step * unit, unit));
+        let finer = nice_step(0.4 * step);
+        if written >= FEWEST || width / finer > MOST_GAINS {
+            return values;
+        }
+        step = finer;
     }
 }
 

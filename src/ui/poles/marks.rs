@@ -1,12 +1,13 @@
 //! The marks of a pole map: crosses, rings, diamonds, dotted paths.
 
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
 use nalgebra::Complex;
 
 use crate::flight::modes::approximations::Approximation;
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
+use crate::number::trimmed;
 use crate::ui::chart::{Chart, spaced};
 use crate::ui::labels::Placement;
 use crate::ui::theme::Palette;
@@ -43,6 +44,15 @@ pub fn ring(painter: &Painter, chart: &Chart, pole: Complex<f64>, color: Color32
     });
 }
 
+/// Half the size of a hollow square.
+const SQUARE: f32 = 4.5;
+
+/// A hollow square: a pole of the other state of a loop, closed or open.
+pub fn square(painter: &Painter, at: Pos2, color: Color32) {
+    let place = Rect::from_center_size(at, Vec2::splat(2.0 * SQUARE));
+    painter.rect_stroke(place, 0.0, Stroke::new(1.4, color), StrokeKind::Middle);
+}
+
 /// A hollow diamond: what an approximation says.
 pub fn diamond(painter: &Painter, at: Pos2, color: Color32) {
     let corner = |x: f32, y: f32| at + Vec2::new(x, y) * 6.0;
@@ -66,7 +76,8 @@ pub fn paths(chart: &Chart, locus: &Locus) -> Vec<Path> {
         let name = *name;
         let runs = locus.samples.split(|sample| sample.poles.is_none());
         runs.flat_map(move |run| {
-            let poles = run.iter().filter_map(|sample| sample.poles).map(move |poles| poles[branch]);
+            let poles = run.iter().filter_map(|sample| sample.poles.as_ref());
+            let poles = poles.filter_map(move |poles| poles.get(branch).copied());
             chart.clipped(poles).into_iter().map(move |part| (name, part))
         })
     };
@@ -79,6 +90,61 @@ pub fn dotted(painter: &Painter, palette: &Palette, paths: &[Path]) {
         let color = name.map_or(palette.pinned, |name| palette.mode(name)).gamma_multiply(0.65);
         painter.extend(Shape::dotted_line(path, color, 4.0, 1.1));
     }
+}
+
+/// A round value of a parameter on its path.
+#[derive(Debug)]
+pub struct RoundValue {
+    /// The value as it is written; empty where another branch has it.
+    pub text: String,
+    /// The mode at the reference value whose path it is on.
+    pub name: Option<ModeName>,
+    /// Where.
+    pub at: Pos2,
+}
+
+/// Distance of numbers beside a path, so that each can be read \[points\].
+const APART: f32 = 26.0;
+
+/// Multiples of `step` \[SI\] on every branch that is on screen; the numbers, in units of `unit`, stand on the branch that goes
+/// farthest. Also how many stand there.
+pub fn round_values(chart: &Chart, locus: &Locus, (step, unit): (f64, f64)) -> (Vec<RoundValue>, usize) {
+    let (Some(first), Some(last)) = (locus.samples.first(), locus.samples.last()) else {
+        return (Vec::new(), 0);
+    };
+    let (from, to) = ((first.parameter / step).ceil() as i32, (last.parameter / step).floor() as i32);
+    let mut found = Vec::new();
+    let mut best: (f32, usize) = (0.0, 0);
+    for (branch, name) in locus.names.iter().enumerate() {
+        let at = |k: i32| {
+            let value = f64::from(k) * step;
+            let pair = locus.samples.windows(2).find(|pair| pair[1].parameter >= value)?;
+            let (before, after) =
+                (pair[0].poles.as_ref()?.get(branch)?, pair[1].poles.as_ref()?.get(branch)?);
+            let share = (value - pair[0].parameter) / (pair[1].parameter - pair[0].parameter);
+            let at = chart.position(before + (after - before) * share.clamp(0.0, 1.0));
+            chart.rect.contains(at).then_some((k, at))
+        };
+        let on_branch: Vec<(i32, Pos2)> = (from..=to).filter_map(at).collect();
+        let way: f32 = on_branch.windows(2).map(|pair| pair[0].1.distance(pair[1].1)).sum();
+        let is_upper = on_branch.iter().all(|(_, at)| at.y <= chart.position(Complex::from(0.0)).y + 1.0);
+        if way > best.0 && is_upper {
+            best = (way, branch);
+        }
+        found.extend(
+            on_branch
+                .into_iter()
+                .map(|(k, at)| (branch, k, RoundValue { text: String::new(), name: *name, at })),
+        );
+    }
+    let mut written: Vec<Pos2> = Vec::new();
+    for (_, k, value) in found.iter_mut().filter(|(branch, ..)| *branch == best.1) {
+        if written.iter().all(|other| other.distance(value.at) >= APART) {
+            value.text = trimmed(f64::from(*k) * step / unit, 3);
+            written.push(value.at);
+        }
+    }
+    (found.into_iter().map(|(_, _, value)| value).collect(), written.len())
 }
 
 /// Keeps labels off paths, where there is room elsewhere.

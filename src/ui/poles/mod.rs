@@ -35,7 +35,7 @@ use nalgebra::Complex;
 
 pub use choices::{Choices, shows_approximations, shows_levels};
 pub use drag::DragPhase;
-pub use marks::{both, cross};
+pub use marks::{both, cross, square};
 
 use self::drag::{DraggedPole, Outcome, place};
 use self::map::{CAPTION, Extras, Map, RememberedLabels};
@@ -46,15 +46,17 @@ use super::chart::{Chart, PlotPoint};
 use super::curtain::Curtain;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
-use super::{arrow_keys, finger};
+use super::{arrow_keys, copy, finger};
 use crate::findings::Findings;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::locus::Locus;
 use crate::flight::modes::mode::Mode;
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{eigenvalue, round_up};
 use crate::scenario::view::Marks;
 use crate::scenario::{Hidden, Page, Parameter, Scenario};
+use crate::words;
 
 /// Captions of the two maps, each for a wide, a narrow and the narrowest one.
 const CAPTIONS: [[&str; 3]; 2] =
@@ -127,7 +129,8 @@ impl PoleMap {
         if findings.scenario() != scenario {
             return DragPhase::Away;
         }
-        let modes = findings.modes();
+        let page = page_of_drag(findings, page);
+        let modes = findings.flown_modes();
         for (map, chart) in charts.iter().enumerate() {
             let taken = ui.ctx().read_response(ground_id(map)).filter(Response::drag_started);
             let Some(at) = taken.and_then(|_| ui.input(|input| input.pointer.press_origin())) else {
@@ -139,8 +142,8 @@ impl PoleMap {
             let pole = if lower { mode.lambda.conj() } else { mode.lambda };
             let grip = at - chart.position(pole);
             self.choices.subject = Some(mode.naming.name);
-            self.held =
-                Some(DraggedPole { map, start: findings.clone(), mode, movers, grip, lower, wanted: None });
+            let start = findings.clone();
+            self.held = Some(DraggedPole { map, start, mode, movers, page, grip, lower, wanted: None });
             return DragPhase::Takes;
         }
         let focused = (0..modes.len()).find(|&i| ui.memory(|memory| memory.has_focus(pole_id(i))));
@@ -149,7 +152,7 @@ impl PoleMap {
             let chart = charts[usize::from(slow_modes(modes).contains(&index))];
             let step = round_step((chart.view.top - chart.view.bottom) / FINE_STEPS);
             let movers = self.choices.free_movers(ui, findings, index, page);
-            let (moved, outcome) = place(findings, mode, mode.lambda + by * step, &movers);
+            let (moved, outcome) = place(findings, mode, mode.lambda + by * step, (&movers, page));
             self.choices.subject = Some(mode.naming.name);
             self.outcome = Some(outcome);
             if let Some(moved) = moved {
@@ -171,6 +174,7 @@ impl PoleMap {
         let other = scenario.aircraft != start.aircraft || scenario.plane != start.plane;
         if escape && !other {
             scenario.edited = start.edited.clone();
+            scenario.law = start.law;
             self.outcome = None;
         }
         if escape || other {
@@ -181,10 +185,11 @@ impl PoleMap {
             let wanted = held.wanted(&charts[held.map], pointer);
             if held.wanted != Some(wanted) {
                 held.wanted = Some(wanted);
-                let (moved, outcome) = place(&held.start, &held.mode, wanted, &held.movers);
+                let (moved, outcome) = place(&held.start, &held.mode, wanted, (&held.movers, held.page));
                 self.outcome = Some(outcome);
                 if let Some(moved) = moved {
                     scenario.edited = moved.edited;
+                    scenario.law = moved.law;
                 }
             }
         }
@@ -201,15 +206,22 @@ impl PoleMap {
         let modes = &seen.plane.modes;
         self.trail.observe(ui, modes);
         let (rect, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
-        let split = rect.left() + (0.6 * rect.width()).round();
-        let left = Rect::from_min_max(rect.min, Pos2::new(split - 5.0, rect.max.y));
-        let right = Rect::from_min_max(Pos2::new(split + 5.0, rect.min.y), rect.max);
+        copy::offer(ui, rect, &|| {
+            let row = |mode: &Mode| {
+                let name = words::mode::title(mode.naming.name);
+                copy::row(&[name, &mode.lambda.re.to_string(), &mode.lambda.im.to_string()])
+            };
+            let rows: Vec<String> = modes.iter().map(row).collect();
+            copy::row(&["mode", "re [1/s]", "im [rad/s]"]) + &rows.concat()
+        });
+        let (left, right) = places(ui, rect);
         let slow = slow_modes(modes);
         let fast: Vec<usize> = (0..modes.len()).filter(|i| !slow.contains(i)).collect();
-        let all = (0..modes.len()).collect();
+        let all = in_sight(modes);
         let before = seen.pinned.unwrap_or_default();
         let slow_before = slow_modes(before).into_iter().map(|i| before[i].lambda).collect();
         let all_before = before.iter().map(|mode| mode.lambda).collect();
+        let other = seen.findings.poles_of_other();
         let maps = [
             Map { captions: CAPTIONS[0], rect: left, ranged: all, home: fast, modes, pinned: all_before },
             Map {
@@ -229,8 +241,12 @@ impl PoleMap {
 
         let poles: Vec<Response> =
             maps.iter().zip(&charts).flat_map(|(map, chart)| poles_ui(ui, map, chart)).collect();
-        let grounds: [Response; 2] =
-            std::array::from_fn(|i| self.ground_ui(ui, i, &maps[i], charts[i], modes));
+        let [_, of_other] = words::feedback::legend(seen.findings.is_opened(), seen.findings.is_fed_back());
+        let curtain = Curtain::of(ui);
+        let grounds: [Response; 2] = std::array::from_fn(|i| {
+            let description = maps[i].describe(&curtain, self.trail.began(), (of_other, &other));
+            self.ground_ui(ui, i, &maps[i], charts[i], modes, &description)
+        });
         let boundaries = if seen.marks.levels { seen.findings.level_boundaries() } else { &[] };
         let pointed = self.pointed(ui, &grounds, &charts, &maps, &seen, boundaries);
         let focused = poles.iter().position(Response::has_focus).and_then(|k| {
@@ -242,7 +258,6 @@ impl PoleMap {
             (None, Some((_, Near::Pole(i)))) => Some(*i),
             _ => focused,
         };
-        let curtain = Curtain::of(ui);
         let sentence = self.outcome.as_ref().and_then(|outcome| outcome.sentence(&curtain));
         let taken =
             sentence.as_ref().map(|sentence| sentence_ui(ui, sentence, charts[0].rect, palette, false));
@@ -251,6 +266,7 @@ impl PoleMap {
                 trail: &self.trail,
                 approximations: seen.marks.approximations,
                 boundaries,
+                other: &other,
                 held: self.held.as_ref().filter(|held| held.map == i),
                 outcome: self.outcome.as_ref(),
                 lit,
@@ -298,13 +314,20 @@ impl PoleMap {
     }
 
     /// The ground of a map: what zooms and pans it, and the way back.
-    fn ground_ui(&mut self, ui: &mut Ui, i: usize, map: &Map<'_>, chart: Chart, modes: &[Mode]) -> Response {
+    fn ground_ui(
+        &mut self,
+        ui: &mut Ui,
+        i: usize,
+        map: &Map<'_>,
+        chart: Chart,
+        modes: &[Mode],
+        description: &str,
+    ) -> Response {
         let range = &mut self.ranges[i];
         let middle = chart.at(chart.rect.center());
         buttons_ui(ui, map, range, chart, middle);
         let ground = ui.interact(chart.rect, ground_id(i), Sense::click_and_drag());
-        let description = map.describe(&Curtain::of(ui));
-        ground.widget_info(|| WidgetInfo::labeled(Role::Image, true, description.as_str()));
+        ground.widget_info(|| WidgetInfo::labeled(Role::Image, true, description));
         let pole = |at: Option<Pos2>| at.and_then(|at| nearest_pole(&chart, modes, at, reach(ui)));
         let pinch = finger::pinch(ui, &ground);
         // A finger on a pole has taken it by now, whichever way it goes.
@@ -351,6 +374,11 @@ impl PoleMap {
     }
 }
 
+/// The page whose parameters the drag of a pole moves: under a law the gains.
+pub fn page_of_drag(findings: &Findings, page: Page) -> Page {
+    if findings.flies_otherwise() { Page::Feedback } else { page }
+}
+
 fn is_key_press(event: &egui::Event) -> bool {
     matches!(event, egui::Event::Key { pressed: true, .. })
 }
@@ -385,6 +413,30 @@ fn slow_modes(modes: &[Mode]) -> Vec<usize> {
     sorted
 }
 
+/// An actuator is so much faster than all else, beside which nothing else would be seen.
+const MUCH_FASTER: f64 = 3.0;
+
+/// Indices of the modes that the map of all is made for.
+fn in_sight(modes: &[Mode]) -> Vec<usize> {
+    let is_slow = |mode: &&Mode| !is_of_actuator(mode);
+    let largest = modes.iter().filter(is_slow).map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
+    let is_far = |mode: &Mode| is_of_actuator(mode) && mode.lambda.norm() > MUCH_FASTER * largest;
+    (0..modes.len()).filter(|i| !is_far(&modes[*i])).collect()
+}
+
+/// The modes that lie beyond what the maps are made for.
+pub fn out_of_sight(modes: &[Mode]) -> impl Iterator<Item = &Mode> {
+    let seen = in_sight(modes);
+    modes.iter().enumerate().filter(move |(i, _)| !seen.contains(i)).map(|(_, mode)| mode)
+}
+
+const fn is_of_actuator(mode: &Mode) -> bool {
+    matches!(
+        mode.naming.name,
+        ModeName::ElevatorActuator | ModeName::Engine | ModeName::AileronActuator | ModeName::RudderActuator
+    )
+}
+
 /// The modes that are reached by keyboard on a map as it is zoomed.
 fn on_map(map: &Map<'_>, chart: &Chart) -> Vec<usize> {
     let visible = |i: &usize| chart.rect.contains(chart.position(map.modes[*i].lambda));
@@ -417,15 +469,28 @@ fn poles_ui(ui: &Ui, map: &Map<'_>, chart: &Chart) -> Vec<Response> {
     on_map(map, chart).into_iter().map(pole).collect()
 }
 
+/// Places of the two maps: beside each other, or for a room one above the other where that is larger.
+fn places(ui: &Ui, rect: Rect) -> (Rect, Rect) {
+    if theme::is_for_a_room(ui) && rect.height() > 1.1 * rect.width() {
+        let split = rect.top() + (0.55 * rect.height()).round();
+        let upper = Rect::from_min_max(rect.min, Pos2::new(rect.max.x, split - 3.0));
+        return (upper, Rect::from_min_max(Pos2::new(rect.min.x, split + 3.0), rect.max));
+    }
+    let split = rect.left() + (0.6 * rect.width()).round();
+    let left = Rect::from_min_max(rect.min, Pos2::new(split - 5.0, rect.max.y));
+    (left, Rect::from_min_max(Pos2::new(split + 5.0, rect.min.y), rect.max))
+}
+
 /// Zoom in and out, and back where that is not where the map is.
 fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, middle: PlotPoint) {
     // A finger could not hit them: two fingers do as well.
-    let for_mouse = !theme::is_for_fingers(ui);
+    let for_mouse = !theme::is_for_fingers(ui) && !theme::is_for_a_room(ui);
     let row = Rect::from_min_size(map.rect.min, Vec2::new(map.rect.width(), CAPTION - 1.0));
     let layout = egui::Layout::right_to_left(egui::Align::Center);
     ui.scope_builder(UiBuilder::new().max_rect(row).layout(layout), |ui| {
         ui.spacing_mut().item_spacing.x = 1.0;
         let narrow = map.rect.width() < NARROWEST;
+        let is_for_a_room = theme::is_for_a_room(ui);
         ui.spacing_mut().button_padding = Vec2::new(if narrow { 4.0 } else { 6.0 }, 0.0);
         ui.spacing_mut().interact_size.y = CAPTION - 1.0;
         let weak = Palette::of(ui).weak;
@@ -442,7 +507,7 @@ fn buttons_ui(ui: &mut Ui, map: &Map<'_>, range: &mut MapRange, chart: Chart, mi
         if for_mouse && pressed("−", "Zoom out") {
             range.zoom(chart, 1.0 / ZOOM_STEP, middle);
         }
-        if !range.is_fitted() && pressed("Fit", "Show all again") {
+        if !range.is_fitted() && !is_for_a_room && pressed("Fit", "Show all again") {
             range.fit();
         }
     });

@@ -9,7 +9,7 @@ use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::level_boundaries::Boundary;
 use crate::number::{eigenvalue, significant};
-use crate::scenario::{Hidden, Parameter};
+use crate::scenario::{Hidden, Parameter, Written};
 use crate::ui::chart::Chart;
 use crate::ui::curtain::Curtain;
 use crate::ui::mode_cards::numbers_ui;
@@ -104,8 +104,8 @@ fn on_path(chart: &Chart, seen: &PoleMapContent<'_>, at: Pos2) -> Option<Near<'s
     let (parameter, locus) = seen.locus?;
     let mut best: Option<(f32, f64, Complex<f64>, Option<ModeName>)> = None;
     for pair in locus.samples.windows(2) {
-        let (Some(before), Some(after)) = (pair[0].poles, pair[1].poles) else { continue };
-        for ((from, to), name) in before.into_iter().zip(after).zip(locus.names) {
+        let (Some(before), Some(after)) = (&pair[0].poles, &pair[1].poles) else { continue };
+        for ((&from, &to), &name) in before.iter().zip(after).zip(&locus.names) {
             let (a, b) = (chart.position(from), chart.position(to));
             let way = b - a;
             let t = ((at - a).dot(way) / way.length_sq().max(1e-9)).clamp(0.0, 1.0);
@@ -137,20 +137,22 @@ pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
         }
         Near::Approximation(approximation, root) => {
             ui.set_max_width(300.0);
-            let name = approximation.name.concerns();
+            let (name, notation) = (approximation.name.concerns(), seen.findings.scenario().notation);
             title(
                 ui,
                 &format!(
                     "≈ {}, {}",
                     words::mode::title(name),
-                    words::approximation::name(approximation.name)
+                    words::approximation::name(approximation.name, notation)
                 ),
                 name,
             );
-            ui.label(prose(words::approximation::formula(approximation.name), theme::body(), palette.text));
+            let formula = words::approximation::formula(approximation.name, notation);
+            ui.label(prose(formula, theme::body(), palette.text));
             ui.label(format!("λ = {} 1/s", shown(root)));
-            ui.label(words::approximation::values(approximation));
-            ui.label(prose(words::approximation::neglects(approximation.name), theme::small(), palette.weak));
+            ui.label(words::approximation::values(approximation, notation));
+            let neglects = words::approximation::neglects(approximation.name, notation);
+            ui.label(prose(&neglects, theme::small(), palette.weak));
         }
         Near::Level(boundary) => {
             let criterion = boundary.criterion;
@@ -171,9 +173,9 @@ pub fn card_ui(ui: &mut Ui, seen: &PoleMapContent<'_>, near: Near<'_>) {
             }
         }
         Near::Path { parameter, value, lambda, name } => {
-            let length = seen.findings.scenario().aircraft.length_unit;
-            let (in_si, unit) = (parameter.dimension.in_si(length), parameter.dimension.symbol(length));
-            let mut job = Symbol::parse(parameter.symbol).job(theme::sizes(ui).symbol, palette.text);
+            let Written { symbol, unit, in_si, .. } =
+                parameter.written(seen.findings.scenario().convention());
+            let mut job = Symbol::parse(symbol).job(theme::sizes(ui).symbol, palette.text);
             let text =
                 egui::TextFormat::simple(egui::FontId::proportional(theme::sizes(ui).name), palette.text);
             job.append(&format!(" = {} {unit}", significant(value / in_si, 3)), 0.0, text);

@@ -1,6 +1,6 @@
 //! Where the poles came from while a person moved something.
 
-use egui::{Key, Painter, Rect, Shape, Stroke, Ui};
+use egui::{Event, Key, Painter, Rect, Shape, Stroke, Ui};
 use nalgebra::Complex;
 
 use super::marks;
@@ -29,7 +29,7 @@ pub struct Trail {
 impl Trail {
     /// Looks at the poles once a frame.
     ///
-    /// A change under the pointer or an arrow key goes on with the trail; the first one of a new press begins it anew. Any
+    /// A change under the pointer, an arrow key or a screen reader goes on with the trail; the first one of a new press begins it anew. Any
     /// other change — undone, reset, typed, another aircraft — ends it.
     pub fn observe(&mut self, ui: &Ui, modes: &[Mode]) {
         let now: Poles = modes.iter().map(|mode| (mode.naming.name, mode.lambda)).collect();
@@ -39,7 +39,10 @@ impl Trail {
         let (press, moving) = ui.input(|input| {
             let keys = [Key::ArrowLeft, Key::ArrowRight, Key::ArrowUp, Key::ArrowDown];
             let by_key = keys.iter().any(|key| input.key_down(*key));
-            (input.pointer.press_start_time(), input.pointer.any_down() || by_key)
+            // What a screen reader sets, it sets step by step.
+            let by_reader =
+                input.events.iter().any(|event| matches!(event, Event::AccessKitActionRequest(_)));
+            (input.pointer.press_start_time(), input.pointer.any_down() || by_key || by_reader)
         });
         if !moving {
             self.samples.clear();
@@ -57,6 +60,11 @@ impl Trail {
                 keep
             });
         }
+    }
+
+    /// Where the way began; nothing where nothing has moved.
+    pub fn began(&self) -> &[(ModeName, Complex<f64>)] {
+        self.samples.first().filter(|_| self.samples.len() > 1).map_or(&[], Vec::as_slice)
     }
 
     /// Draws the way, the older the fainter, and a small cross where it began.

@@ -3,6 +3,7 @@
 use egui::{Button, ComboBox, RichText, Ui};
 
 use crate::flight::modes::mode::Mode;
+use crate::flight::motion::outputs::Output;
 use crate::scenario::{Choice, Lock, Parameter, Scenario, Source};
 use crate::ui::curtain::Curtain;
 use crate::ui::derivatives;
@@ -12,9 +13,14 @@ use crate::words;
 /// Draws the choosers; edits the disturbance in place. `modes` are those that can be flown alone.
 pub fn disturbance_ui(ui: &mut Ui, scenario: &mut Scenario, modes: &[Mode]) {
     let plane = scenario.plane;
+    let law = scenario.law;
     let choice = &mut scenario.disturbance.choices[plane];
     let curtain = Curtain::of(ui);
-    curtain.lock_ui(ui, Lock::Disturbance, |ui| source_ui(ui, choice, Source::of(plane)));
+    // A command that nothing listens to does nothing.
+    let is_heard = |source: &Source| {
+        source.command().is_none_or(|command| law.listens_to(plane, Output::commanded(command)))
+    };
+    curtain.lock_ui(ui, Lock::Disturbance, |ui| source_ui(ui, choice, Source::of(plane), is_heard));
     curtain.lock_ui(ui, Lock::Disturbance, |ui| shape_ui(ui, choice));
     if choice.source == Source::OneMode {
         curtain.lock_ui(ui, Lock::Disturbance, |ui| mode_ui(ui, choice, modes));
@@ -37,11 +43,14 @@ fn follow_ui(ui: &mut Ui, scenario: &mut Scenario) {
     }
 }
 
-fn source_ui(ui: &mut Ui, choice: &mut Choice, sources: &[Source]) {
+fn source_ui(ui: &mut Ui, choice: &mut Choice, sources: &[Source], is_heard: impl Fn(&Source) -> bool) {
     let text = words::disturbance::source(choice.source);
     let chooser = ComboBox::from_id_salt("disturbance").selected_text(text).width(106.0);
     let chooser = chooser.show_ui(ui, |ui| {
         for &source in sources {
+            if choice.source != source && !is_heard(&source) {
+                continue;
+            }
             if ui.selectable_label(choice.source == source, words::disturbance::source(source)).clicked() {
                 choice.source = source;
                 ui.close();

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use egui::{Color32, Galley, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
 
+use super::Canvas;
 use crate::ui::chart::{self, Pattern, PlotContent, Primitive, SAMPLE};
 use crate::ui::theme::{self, Palette};
 
@@ -20,6 +21,8 @@ pub enum Mark {
     Upright,
     /// A dot.
     Dot,
+    /// A ring.
+    Ring,
 }
 
 impl Mark {
@@ -32,6 +35,7 @@ impl Mark {
             Self::Curve(Pattern::Filled) => "filled",
             Self::Upright => "upright line",
             Self::Dot => "dot",
+            Self::Ring => "ring",
         }
     }
 }
@@ -60,9 +64,27 @@ pub fn curves(pictures: &[PlotContent]) -> Vec<Entry> {
     entries
 }
 
+/// The same in the words of whoever looks on: two aircraft by their names, one by what it was and is.
+pub fn for_a_room(entries: &[Entry], canvas: Canvas<'_>) -> Vec<Entry> {
+    let Canvas { findings, pinned: Some(pinned), curtain, .. } = canvas else { return entries.to_vec() };
+    let [now, before] = [findings, pinned].map(|findings| &findings.scenario().aircraft.name);
+    let told =
+        if now == before { ["now", "before"] } else { [now, before].map(|name| curtain.aircraft(name)) };
+    let names = ["linear", "pinned"].into_iter().zip(told);
+    let mut entries = entries.to_vec();
+    for (name, told) in names {
+        entries
+            .iter_mut()
+            .filter(|entry| entry.name == name)
+            .for_each(|entry| told.clone_into(&mut entry.name));
+    }
+    entries
+}
+
 /// Draws the legend into `beside`, where it fits there, else in lines of its own.
 pub fn legend_ui(ui: &mut Ui, entries: &[Entry], beside: Option<Rect>) {
-    if entries.is_empty() {
+    // What is drawn once needs no name before a room.
+    if entries.is_empty() || entries.len() == 1 && theme::is_for_a_room(ui) {
         return;
     }
     let palette = Palette::of(ui);
@@ -111,5 +133,6 @@ fn sample(left: Pos2, mark: Mark, color: Color32) -> Primitive {
             Primitive::line(ends, Stroke::new(1.2, color), Pattern::Dashed)
         }
         Mark::Dot => Primitive::Dot(middle, chart::DOT, color),
+        Mark::Ring => Primitive::Ring(middle, chart::DOT, color),
     }
 }

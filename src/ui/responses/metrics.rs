@@ -9,6 +9,7 @@ use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::response_metrics::StepMetrics;
 use crate::number::significant;
 use crate::scenario::{Hidden, Scenario, Source};
+use crate::ui::copy;
 use crate::ui::curtain::Curtain;
 use crate::ui::symbol::{Symbol, prose};
 use crate::ui::theme::{self, Palette};
@@ -17,20 +18,23 @@ use crate::words;
 /// A table of every output, and what concerns the whole motion.
 pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
     ScrollArea::vertical().id_salt("metrics").auto_shrink(false).show(ui, |ui| {
-        let plane = findings.scenario().plane;
-        let Some(metrics) = findings.metrics() else { return };
+        let scenario = findings.scenario();
+        let Some(metrics) = findings.flown_metrics() else { return };
         let is_named = !Curtain::of(ui).hides(Hidden::Names);
-        let of_pinned = pinned.and_then(Findings::metrics).into_iter();
+        let of_pinned = pinned.and_then(Findings::flown_metrics).into_iter();
         let of_pinned = of_pinned
-            .flat_map(|pinned| of_the_whole(pinned, plane, is_named))
+            .flat_map(|pinned| of_the_whole(pinned, scenario, is_named))
             .map(|line| format!("{line} (pinned)"));
-        for line in of_the_whole(metrics, plane, is_named).into_iter().chain(of_pinned) {
-            ui.label(prose(&line, theme::body(), Palette::of(ui).text));
+        for line in of_the_whole(metrics, scenario, is_named).into_iter().chain(of_pinned) {
+            let sentence = ui.label(prose(&line, theme::body(), Palette::of(ui).text));
+            copy::offer(ui, sentence.rect, &|| line.clone());
         }
+        // Under a law a control that is held is not the only one that moves.
         if !Curtain::of(ui).hides_influence()
+            && !findings.flies_otherwise()
             && let Some(trim) = NewTrim::of(findings)
         {
-            let text = words::new_trim::sentence(&trim, findings.scenario().aircraft.length_unit);
+            let text = words::new_trim::sentence(&trim, findings.scenario().convention());
             ui.label(prose(&text, theme::body(), Palette::of(ui).text));
         }
         ui.add_space(4.0);
@@ -54,7 +58,8 @@ fn in_turbulence(scenario: &Scenario) -> bool {
 }
 
 /// Metrics of the whole motion, a sentence each; where modes have no names, without those of one mode.
-fn of_the_whole(metrics: &Metrics, plane: Plane, is_named: bool) -> Vec<String> {
+fn of_the_whole(metrics: &Metrics, scenario: &Scenario, is_named: bool) -> Vec<String> {
+    let (plane, length) = (scenario.plane, scenario.length_unit());
     let digits = match plane {
         Plane::Longitudinal => 3,
         Plane::Lateral => 2,
@@ -63,8 +68,10 @@ fn of_the_whole(metrics: &Metrics, plane: Plane, is_named: bool) -> Vec<String> 
         Extreme::Peak { value, time } => words::metrics::largest_load_factor(plane, value, time, digits),
         Extreme::Beyond(value) => words::metrics::load_factor_beyond(plane, value, digits),
     });
-    let swing =
-        metrics.phugoid_swing.filter(|_| is_named).map(|height| words::metrics::phugoid_swing(height, 3));
+    let swing = metrics
+        .phugoid_swing
+        .filter(|_| is_named)
+        .map(|height| words::metrics::phugoid_swing(height, length, 3));
     let anticipation = metrics
         .control_anticipation
         .filter(|_| is_named)
@@ -84,7 +91,7 @@ fn table_ui(ui: &mut Ui, scenario: &Scenario, metrics: &Metrics) {
     };
     let random = in_turbulence(scenario);
     let columns: &[&str] = if random { &["r.m.s."] } else { &["Steady", "Rise", "Settled", "Overshoot"] };
-    Grid::new("metrics").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
+    let table = Grid::new("metrics").striped(true).spacing([18.0, 4.0]).show(ui, |ui| {
         for text in ["", "", "Peak", "at"].iter().chain(columns) {
             head(ui, text);
         }
@@ -115,6 +122,39 @@ fn table_ui(ui: &mut Ui, scenario: &Scenario, metrics: &Metrics) {
             ui.end_row();
         }
     });
+    copy::offer(ui, table.response.rect, &|| copied(scenario, metrics));
+}
+
+/// The table as a spreadsheet takes it, in the units on screen and with every digit.
+fn copied(scenario: &Scenario, metrics: &Metrics) -> String {
+    let random = in_turbulence(scenario);
+    let columns: &[&str] =
+        if random { &["r.m.s."] } else { &["steady", "rise [s]", "settled [s]", "overshoot [%]"] };
+    let head: Vec<&str> = ["output", "unit", "peak", "at [s]"].iter().chain(columns).copied().collect();
+    let row = |of_output: &OutputMetrics| {
+        let &OutputMetrics { output, extreme, steady, step, root_mean_square } = of_output;
+        let (quantity, unit_symbol, unit) = units(output, scenario);
+        let cell = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+        let (most, time) = match extreme {
+            Some(Extreme::Peak { value, time }) => (cell(Some(value / unit)), cell(Some(time))),
+            Some(Extreme::Beyond(value)) => (format!("beyond {}", value / unit), String::new()),
+            None => (String::new(), String::new()),
+        };
+        let rest = if random {
+            vec![cell(root_mean_square.map(|value| value / unit))]
+        } else {
+            vec![
+                cell(steady.map(|value| value / unit)),
+                cell(step.and_then(|step| step.rise_time)),
+                cell(step.map(|step| step.settling_time)),
+                cell(step.map(|step| 100.0 * step.overshoot)),
+            ]
+        };
+        let cells = [quantity.name.to_owned(), unit_symbol.to_owned(), most, time];
+        let cells: Vec<String> = cells.into_iter().chain(rest).collect();
+        copy::row(&cells.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    copy::row(&head) + &metrics.outputs.iter().map(row).collect::<String>()
 }
 
 /// What stands in a cell without a number.

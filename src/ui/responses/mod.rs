@@ -1,12 +1,17 @@
 //! The response pane: which disturbance, how strong, and the motion that follows: over time, as phase portraits, over frequency,
-//! and in numbers.
+//! in numbers, and a measure over a slider. Where a law feeds back, its loops too, and the map of its damping.
 
+mod chart;
 mod curves;
 mod disturbance;
+mod fraction;
 mod frequency;
 mod legend;
+mod loops;
+mod map;
 mod metrics;
 mod phase;
+mod stack;
 mod time;
 
 use std::rc::Rc;
@@ -14,6 +19,7 @@ use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, Rect, RichText, Ui};
+pub use time::height_for_a_room;
 
 use super::chart::PlotContent;
 use super::curtain::Curtain;
@@ -22,7 +28,6 @@ use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
-use crate::flight::modes::mode::Mode;
 use crate::flight::motion::outputs::Output;
 use crate::scenario::view::{ResponseView, Tab};
 use crate::scenario::{Hidden, Lock, Quantity, Scenario};
@@ -36,17 +41,22 @@ pub struct Responses {
     time: time::TimePlots,
     phase: phase::PhasePlots,
     frequency: frequency::FrequencyPlots,
+    loops: loops::LoopPlots,
+    map: map::MapPlot,
+    chart: chart::ChartPlot,
 }
 
 impl Responses {
-    /// Heading and choosers; edits the disturbance in place. `modes` are those that can be flown alone.
+    /// Heading and choosers; edits the disturbance in place. The modes of `findings` are those that can be flown alone.
     pub fn choosers_ui(
         &mut self,
         ui: &mut Ui,
         scenario: &mut Scenario,
         view: &mut ResponseView,
-        modes: &[Mode],
+        findings: &Findings,
     ) {
+        let modes = findings.flown_modes();
+        let shown = tab_shown(view.tab, findings);
         let plane = scenario.plane;
         ui.horizontal_wrapped(|ui| {
             theme::heading(ui, RichText::new("Response to").heading(), 2);
@@ -56,17 +66,21 @@ impl Responses {
             if Curtain::of(ui).locks(Lock::View) {
                 ui.disable();
             }
-            for tab in Tab::ALL {
-                ui.selectable_value(&mut view.tab, tab, words::view::tab(tab));
+            for tab in Tab::ALL.into_iter().filter(|tab| has(*tab, findings)) {
+                if ui.selectable_label(shown == tab, words::view::tab(tab)).clicked() {
+                    view.tab = tab;
+                }
             }
             ui.add_space(8.0);
-            match view.tab {
+            match shown {
                 Tab::Time => time::choosers_ui(ui, plane, &mut view.shown[plane], &mut view.split),
                 Tab::Phase => phase::choosers_ui(ui, plane, &mut view.portraits[plane]),
                 Tab::Frequency => frequency::choosers_ui(ui, plane, &mut view.frequency_of[plane]),
-                Tab::Metrics => {}
+                Tab::Loop | Tab::Nyquist => loops::choosers_ui(ui, findings, &mut view.cuts_second[plane]),
+                Tab::Map | Tab::Metrics => {}
+                Tab::Chart => self.chart.choosers_ui(ui, scenario, &mut view.chart[plane], findings),
             }
-            if matches!(view.tab, Tab::Time | Tab::Phase) {
+            if matches!(shown, Tab::Time | Tab::Phase) {
                 ui.checkbox(&mut view.nonlinear, "Nonlinear").on_hover_text(
                     "The six rigid-body equations, integrated, beside the linear model. Raise the factor × to see them part",
                 );
@@ -93,48 +107,75 @@ impl Responses {
         self.time.played = Some(time).filter(|time| *time > 0.0);
     }
 
-    /// Draws the motion over all the room there is.
+    /// Draws the motion over all the room there is; the map and the chart edit the scenario in place.
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        view: &mut ResponseView,
+        (scenario, view): (&mut Scenario, &mut ResponseView),
         findings: &Rc<Findings>,
         pinned: Option<&Rc<Findings>>,
         rows: Rows,
     ) {
         let curtain = Curtain::of(ui);
         let is_told = !curtain.hides_values();
-        if view.tab != Tab::Frequency && is_told {
+        let tab = tab_shown(view.tab, findings);
+        if matches!(tab, Tab::Time | Tab::Phase | Tab::Metrics) && is_told {
             large_ui(ui, view, findings, rows);
         }
-        if findings.ground().is_some() && is_told && matches!(view.tab, Tab::Time | Tab::Phase) {
+        let is_for_a_room = theme::is_for_a_room(ui);
+        if findings.ground().is_some() && is_told && !is_for_a_room && matches!(tab, Tab::Time | Tab::Phase) {
             note_ui(ui, words::disturbance::BELOW_GROUND);
         }
         if let Some(end) = (view.shows_flight() && is_told).then(|| end_of_flight(findings)).flatten() {
             note_ui(ui, &end);
         }
+        if view.shows_flight() && is_told && !is_for_a_room {
+            let bites =
+                findings.trajectory(true).map_or(Vec::new(), |flown| words::limits::sentences(flown.bites()));
+            for sentence in bites {
+                note_ui(ui, &sentence);
+            }
+        }
         let beside = self.beside.take();
         let canvas =
             Canvas { findings, pinned, view, palette: Palette::of(ui), curtain: &curtain, rows, beside };
-        if view.tab != Tab::Time {
+        if tab != Tab::Time {
             self.time.leave();
         }
-        match view.tab {
+        match tab {
             Tab::Time => self.time.show(ui, canvas),
             Tab::Phase => self.phase.show(ui, canvas, self.time.played),
             Tab::Frequency => self.frequency.show(ui, canvas),
+            Tab::Loop | Tab::Nyquist => self.loops.show(ui, canvas),
+            Tab::Map => self.map.show(ui, canvas, scenario),
             Tab::Metrics if curtain.hides(Hidden::Numbers) => {
                 ui.label(RichText::new(words::view::NUMBERS_HIDDEN).color(Palette::of(ui).weak));
             }
             Tab::Metrics => metrics::metrics_ui(ui, findings, pinned.map(Rc::as_ref)),
+            Tab::Chart => self.chart.show(ui, canvas, scenario),
         }
     }
 }
 
+/// Whether a tab has something to show.
+fn has(tab: Tab, findings: &Findings) -> bool {
+    match tab {
+        Tab::Loop | Tab::Nyquist => loops::input_shown(findings, false).is_some(),
+        Tab::Map => findings.mapped_input(0).is_some(),
+        Tab::Time | Tab::Phase | Tab::Frequency | Tab::Metrics | Tab::Chart => true,
+    }
+}
+
+/// The tab on screen: without a law, the frequency response stands in for those of its loops.
+fn tab_shown(chosen: Tab, findings: &Findings) -> Tab {
+    if has(chosen, findings) { chosen } else { Tab::Frequency }
+}
+
 /// Where the motion is no small disturbance any more, and the nonlinear flight, where there is one.
 fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings, rows: Rows) {
-    let length = findings.scenario().aircraft.length_unit;
-    let Some(limit) = findings.motion().and_then(|motion| words::small_disturbance::sentence(motion, length))
+    let length = findings.scenario().length_unit();
+    let Some(limit) =
+        findings.flown_motion().and_then(|motion| words::small_disturbance::sentence(motion, length))
     else {
         return;
     };
@@ -143,7 +184,7 @@ fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings, rows: Row
         if is_drawn { "the linear curve goes on, faded" } else { "the numbers are of the time before" };
     let contents = |ui: &mut Ui| {
         note_ui(ui, &format!("{limit}; {next}."));
-        if is_drawn && !view.nonlinear && findings.can_fly() {
+        if is_drawn && !view.nonlinear && findings.can_fly() && !theme::is_for_a_room(ui) {
             let offer = Button::new(RichText::new("Draw the nonlinear flight").font(theme::small()));
             view.nonlinear |= ui.add(offer).clicked();
         }
@@ -157,9 +198,12 @@ fn large_ui(ui: &mut Ui, view: &mut ResponseView, findings: &Findings, rows: Row
 
 /// Why there is no nonlinear flight, or where it ends.
 fn end_of_flight(findings: &Findings) -> Option<String> {
+    let length = findings.scenario().length_unit();
     match findings.flight()? {
-        Ok(flight) => flight.stop.map(|stop| format!("Nonlinear flight ends: {stop}.")),
-        Err(error) => Some(format!("No nonlinear flight: {error}.")),
+        Ok(flight) => {
+            flight.stop.map(|stop| format!("Nonlinear flight ends: {}.", words::Told(&stop, length)))
+        }
+        Err(error) => Some(format!("No nonlinear flight: {}.", words::Told(error, length))),
     }
 }
 

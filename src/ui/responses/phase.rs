@@ -30,7 +30,7 @@ impl PhasePlots {
     /// Draws both portraits and the path, with a dot where the motion is at the time `cursor` \[s\], and one where it ends.
     pub fn show(&mut self, ui: &mut Ui, canvas: Canvas<'_>, cursor: Option<f64>) {
         let Canvas { findings, palette, .. } = canvas;
-        let Some(dt) = findings.motion().map(|motion| motion.response.dt) else { return };
+        let Some(dt) = findings.flown_motion().map(|motion| motion.response.dt) else { return };
         let pairs = canvas.view.portraits[findings.scenario().plane];
         let key = (CacheKey::of(canvas), pairs);
         let pictures = kept(&mut self.pictures, key, || {
@@ -119,8 +119,8 @@ fn path(canvas: Canvas<'_>) -> PlotContent {
 
 /// Into how many parts a sample is divided, so that the fastest mode is seen to turn.
 fn parts(findings: &Findings) -> usize {
-    let fastest = findings.modes().iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
-    let dt = findings.motion().map_or(0.0, |motion| motion.response.dt);
+    let fastest = findings.flown_modes().iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
+    let dt = findings.flown_motion().map_or(0.0, |motion| motion.response.dt);
     let turns_a_sample = fastest * dt / std::f64::consts::TAU;
     (SAMPLES_A_TURN * turns_a_sample).ceil().clamp(1.0, MOST_PARTS) as usize
 }

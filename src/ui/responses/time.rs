@@ -7,7 +7,6 @@ use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 use super::curves::units;
 use super::legend::{self, Entry};
 use super::{CacheKey, Canvas, curves, kept, line, note_ui, plain_line};
-use crate::content::LengthUnit;
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::modal_decomposition::SplitError;
@@ -15,9 +14,12 @@ use crate::flight::motion::outputs::Output;
 use crate::scenario::Quantity;
 use crate::ui::chart::{Curve, Pattern, PlotContent, SmallPlot};
 use crate::ui::derivatives::Rows;
+use crate::ui::theme;
 
 /// Least height of a small plot \[points\].
 const LEAST_HEIGHT: f32 = 120.0;
+/// Height of one as high as wide, for fingers.
+const TALL: f32 = 300.0;
 const GAP: Vec2 = Vec2::new(12.0, 6.0);
 
 /// The plots over time, and where the cursor is.
@@ -47,6 +49,7 @@ impl CachedPlots {
     fn of(canvas: Canvas<'_>, chosen: &[Output], split: bool) -> Self {
         let Canvas { findings, pinned, view, palette, curtain, .. } = canvas;
         let scenario = findings.scenario();
+        let length = scenario.length_unit();
         let mut pictures: Vec<PlotContent> = Vec::new();
         let mut unsplit = None;
         let duration = scenario.disturbance.sizes.time.max(1e-3);
@@ -68,16 +71,21 @@ impl CachedPlots {
             if output == Output::Height {
                 drawn.extend(curves::ground(findings, 0.0..=duration, unit, palette));
             }
-            let small_until = findings.motion().and_then(|motion| motion.small_until);
-            let beyond = small_until.map(|time| time..=duration);
-            let picture = PlotContent { beyond, ..PlotContent::of_time(quantity.symbol, symbol, drawn) };
+            let small_until = findings.flown_motion().and_then(|motion| motion.small_until);
+            let grounds =
+                small_until.map(|time| (time..=duration, palette.unstable_half)).into_iter().collect();
+            let picture = PlotContent { grounds, ..PlotContent::of_time(quantity.symbol, symbol, drawn) };
             pictures.push(canvas.veiled(picture));
         }
         let entries = legend::curves(&pictures);
         if let Some((quantities, dimension, curves)) = curves::inputs(findings, palette) {
             let symbol = quantities.first().copied().unwrap_or_default();
-            let unit = dimension.symbol(LengthUnit::Metre);
+            let unit = dimension.symbol(length);
             pictures.push(PlotContent { quantities, ..PlotContent::of_time(symbol, unit, curves) });
+        }
+        for (symbol, dimension, curves) in curves::by_law(findings, view.shows_flight(), palette) {
+            let unit = dimension.symbol(length);
+            pictures.push(canvas.veiled(PlotContent::of_time(symbol, unit, curves)));
         }
         for picture in &mut pictures {
             picture.x_range = Some(0.0..=duration);
@@ -113,8 +121,14 @@ impl TimePlots {
         if let Some(error) = unsplit {
             note_ui(ui, &format!("No split into modes: {error}."));
         }
-        legend::legend_ui(ui, entries, canvas.beside);
-        let places = grid(ui, pictures.len(), canvas.rows);
+        let is_for_a_room = theme::is_for_a_room(ui);
+        if is_for_a_room {
+            legend::legend_ui(ui, &legend::for_a_room(entries, canvas), canvas.beside);
+        } else {
+            legend::legend_ui(ui, entries, canvas.beside);
+        }
+        let count = if is_for_a_room { most(ui, pictures.len()) } else { pictures.len() };
+        let places = grid(ui, count, canvas.rows);
         self.plots.resize_with(self.plots.len().max(places.len()), SmallPlot::default);
         let mut hovered = None;
         for ((plot, picture), place) in self.plots.iter_mut().zip(pictures).zip(places) {
@@ -156,17 +170,57 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, chosen: &mut Vec<Output>, split: &
     );
 }
 
-/// Places for `count` plots, in the order of reading, over all the room there is.
-pub fn grid(ui: &mut Ui, count: usize, rows: Rows) -> Vec<Rect> {
+/// Least height of a small plot for a room \[points\].
+const LEAST_FOR_A_ROOM: f32 = 76.0;
+/// From this width on plots for a room stand beside each other.
+const BESIDE: f32 = 300.0;
+
+/// How many plots a room can read at once in the room that there is: rather fewer than smaller.
+fn most(ui: &Ui, count: usize) -> usize {
+    let down = (ui.available_height() / (LEAST_FOR_A_ROOM + GAP.y)).floor().max(1.0) as usize;
+    let across = columns(ui, count, Rows::Dense);
+    count.min(down * across)
+}
+
+/// Height that `count` plots need for a room to read all of them in a room of this size \[points\].
+pub fn height_for_a_room(size: Vec2, count: usize) -> f32 {
+    count.div_ceil(columns_for_a_room(size, count)) as f32 * (LEAST_FOR_A_ROOM + GAP.y)
+}
+
+/// How many of `count` plots for a room stand beside each other. Curves over time want to be wide.
+fn columns_for_a_room(size: Vec2, count: usize) -> usize {
+    let height = size.y / count.max(1) as f32;
+    if count < 2 || size.x < BESIDE || height > 1.3 * LEAST_FOR_A_ROOM { 1 } else { 2 }
+}
+
+/// How many of `count` plots stand beside each other.
+fn columns(ui: &Ui, count: usize, rows: Rows) -> usize {
     let width = ui.available_width();
     let columns = match rows {
         Rows::Touch => 1,
+        Rows::Dense if theme::is_for_a_room(ui) => columns_for_a_room(ui.available_size(), count),
         Rows::Dense if width > 600.0 && (count == 3 || count > 4) => 3,
         Rows::Dense => 2,
     };
-    let columns = columns.min(count.max(1));
+    columns.min(count.max(1))
+}
+
+/// Places for `count` plots, in the order of reading, over all the room there is.
+pub fn grid(ui: &mut Ui, count: usize, rows: Rows) -> Vec<Rect> {
+    grid_of(ui, count, rows, LEAST_HEIGHT)
+}
+
+/// The same for plots as high as they are wide.
+pub fn tall_grid(ui: &mut Ui, count: usize, rows: Rows) -> Vec<Rect> {
+    let least = if rows == Rows::Touch { ui.available_width().min(TALL) } else { LEAST_HEIGHT };
+    grid_of(ui, count, rows, least)
+}
+
+fn grid_of(ui: &mut Ui, count: usize, rows: Rows, least: f32) -> Vec<Rect> {
+    let width = ui.available_width();
+    let columns = columns(ui, count, rows);
     let down = count.div_ceil(columns).max(1);
-    let least = LEAST_HEIGHT * down as f32;
+    let least = if theme::is_for_a_room(ui) { 0.0 } else { least * down as f32 };
     let height = if rows == Rows::Touch { least } else { ui.available_height().max(least) };
     let (area, _) = ui.allocate_exact_size(Vec2::new(width, height), egui::Sense::hover());
     let cell = Vec2::new(

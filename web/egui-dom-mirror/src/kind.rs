@@ -67,7 +67,6 @@ impl Kind {
             Role::TabPanel => Self::Holder("tabpanel"),
             Role::List => Self::Holder("list"),
             Role::ListItem => Self::Holder("listitem"),
-            Role::Dialog | Role::AlertDialog => Self::Holder("dialog"),
             Role::RadioGroup => Self::Holder("radiogroup"),
             Role::Toolbar => Self::Holder("toolbar"),
             Role::Main => Self::Holder("main"),
@@ -80,6 +79,7 @@ impl Kind {
             Role::Tooltip => Self::Holder("tooltip"),
             // Without a name these say nothing.
             _ if name.is_empty() => return None,
+            Role::Dialog | Role::AlertDialog => Self::Holder("dialog"),
             Role::Region | Role::Pane | Role::Section => Self::Holder("region"),
             Role::Group | Role::GenericContainer | Role::ScrollView | Role::Window => Self::Holder("group"),
             _ if node.supports_action(Action::Click) => Self::Button,
@@ -191,7 +191,9 @@ mod tests {
 
     #[test]
     fn what_only_arranges_others_leaves_no_trace() {
-        for role in [Role::GenericContainer, Role::Pane, Role::Window, Role::Image, Role::Unknown] {
+        for role in
+            [Role::GenericContainer, Role::Pane, Role::Dialog, Role::Window, Role::Image, Role::Unknown]
+        {
             assert_eq!(kind_of(role, ""), None, "{role:?}");
         }
     }

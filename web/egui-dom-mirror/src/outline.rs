@@ -20,10 +20,15 @@ impl Outline {
     /// Outline of a whole tree, at a number of CSS pixels a point; `None` for an update without a root.
     pub fn of(update: &TreeUpdate, zoom: f64) -> Option<Self> {
         let root = update.tree.as_ref()?.root;
+        let nodes: HashMap<NodeId, &Node> = update.nodes.iter().map(|(id, node)| (*id, node)).collect();
+        let is_open = |node: &&&Node| node.role() == Role::ComboBox && node.is_expanded() == Some(true);
+        let open = nodes.values().find(is_open).and_then(|node| node.label()).unwrap_or_default().to_owned();
         let mut tree = Tree {
-            nodes: update.nodes.iter().map(|(id, node)| (*id, node)).collect(),
+            nodes,
+            open,
             zoom,
             seen: HashSet::new(),
+            headings: Vec::new(),
             outline: Self { pictures: Vec::new(), orders: Vec::new() },
         };
         let mut children = Vec::new();
@@ -36,8 +41,12 @@ impl Outline {
 /// A tree that is being read.
 struct Tree<'a> {
     nodes: HashMap<NodeId, &'a Node>,
+    /// Name of the combo box whose list is open.
+    open: String,
     zoom: f64,
     seen: HashSet<NodeId>,
+    /// Levels of the headings that the one before stands under, its own last.
+    headings: Vec<usize>,
     outline: Outline,
 }
 
@@ -50,9 +59,15 @@ impl Tree<'_> {
         if node.is_hidden() || node.role() == Role::TextRun || self.seen.contains(&id) {
             return;
         }
-        let Some(picture) = Picture::of(node, holder, &self.name(node), self.zoom) else {
+        // A menu with fields in it is none: it may hold items only.
+        let is_menu = node.role() != Role::Menu || self.holds_only(node, &[Role::Button, Role::MenuItem]);
+        let picture = is_menu.then(|| Picture::of(node, holder, &self.name(node), self.zoom)).flatten();
+        let Some(mut picture) = picture else {
             return self.read_inside(node, holder, siblings);
         };
+        if let Kind::Heading(level) = picture.kind {
+            picture.kind = Kind::Heading(self.depth(level));
+        }
         let kind = picture.kind;
         self.seen.insert(id);
         siblings.push(id);
@@ -73,14 +88,44 @@ impl Tree<'_> {
         }
     }
 
-    /// The accessible name: its own, or those of its labels.
+    /// How deep a heading of this level stands under those before it: no level is left out, whatever the page calls them.
+    fn depth(&mut self, level: usize) -> usize {
+        self.headings.retain(|above| *above < level);
+        self.headings.push(level);
+        self.headings.len()
+    }
+
+    /// Whether nothing in it has a role of its own but these; what arranges others has none.
+    fn holds_only(&self, node: &Node, roles: &[Role]) -> bool {
+        node.children().iter().filter_map(|child| self.nodes.get(child)).all(|child| {
+            let is_one = matches!(child.role(), Role::GenericContainer | Role::Splitter | Role::TextRun)
+                || child.is_hidden()
+                || roles.contains(&child.role());
+            is_one && self.holds_only(child, roles)
+        })
+    }
+
+    /// The first heading in it.
+    fn heading(&self, node: &Node) -> Option<&str> {
+        node.children().iter().filter_map(|child| self.nodes.get(child)).find_map(|child| {
+            let own = (child.role() == Role::Heading).then(|| child.label().or(child.value())).flatten();
+            own.or_else(|| self.heading(child))
+        })
+    }
+
+    /// The accessible name: its own, or those of its labels; of a dialog its heading, of a list what opened it.
     fn name(&self, node: &Node) -> String {
         if let Some(label) = node.label() {
             return label.to_owned();
         }
         let labels = node.labelled_by().iter().filter_map(|id| self.nodes.get(id));
         let names: Vec<&str> = labels.filter_map(|label| label.value().or(label.label())).collect();
-        names.join(" ")
+        match node.role() {
+            _ if !names.is_empty() => names.join(" "),
+            Role::Dialog | Role::AlertDialog => self.heading(node).unwrap_or_default().to_owned(),
+            Role::ListBox => self.open.clone(),
+            _ => String::new(),
+        }
     }
 }
 
@@ -172,6 +217,56 @@ mod tests {
             (NodeId(4), node(Role::Label, "V", &[])),
         ]);
         assert_eq!(outline.pictures[0].1.spoken().0, "True airspeed V");
+    }
+
+    #[test]
+    fn a_dialog_is_named_by_its_heading_and_a_list_by_what_opened_it() {
+        let mut chooser = node(Role::ComboBox, "Aircraft", &[]);
+        chooser.set_expanded(true);
+        let outline = outline(vec![
+            (ROOT, node(Role::Window, "", &[2, 3, 6, 8])),
+            (NodeId(2), chooser),
+            (NodeId(3), node(Role::Dialog, "", &[4])),
+            (NodeId(4), node(Role::GenericContainer, "", &[5])),
+            (NodeId(5), node(Role::Heading, "Keys", &[])),
+            (NodeId(6), node(Role::ListBox, "", &[7])),
+            (NodeId(7), node(Role::Button, "Navion", &[])),
+            // It has no heading, so it only arranges.
+            (NodeId(8), node(Role::Dialog, "", &[9])),
+            (NodeId(9), node(Role::Button, "Close", &[])),
+        ]);
+        let name = |id: u64| {
+            let picture = outline.pictures.iter().find(|(of, _)| *of == NodeId(id));
+            picture.map(|(_, picture)| picture.spoken().0)
+        };
+        assert_eq!((name(3).as_deref(), name(6).as_deref(), name(8)), (Some("Keys"), Some("Aircraft"), None));
+    }
+
+    #[test]
+    fn headings_leave_no_level_out() {
+        let levels = [1, 3, 3, 2, 3, 5, 2];
+        let headings = levels.iter().zip(2..).map(|(level, id)| {
+            let mut heading = node(Role::Heading, "Modes", &[]);
+            heading.set_level(*level);
+            (NodeId(id), heading)
+        });
+        let mut nodes: Vec<(NodeId, Node)> = headings.collect();
+        nodes.push((ROOT, node(Role::Window, "", &[2, 3, 4, 5, 6, 7, 8])));
+        let kinds: Vec<Kind> = outline(nodes).pictures.iter().map(|(_, picture)| picture.kind).collect();
+        assert_eq!(kinds, [1, 2, 2, 2, 3, 4, 2].map(Kind::Heading));
+    }
+
+    #[test]
+    fn a_menu_with_fields_in_it_is_no_menu() {
+        let menu = |role: Role| {
+            let outline = outline(vec![
+                (ROOT, node(Role::Window, "", &[2])),
+                (NodeId(2), node(Role::Menu, "", &[3])),
+                (NodeId(3), node(role, "Height", &[])),
+            ]);
+            outline.pictures.iter().any(|(_, picture)| picture.kind == Kind::Holder("menu"))
+        };
+        assert!(menu(Role::Button) && !menu(Role::CheckBox));
     }
 
     #[test]

@@ -20,6 +20,9 @@ use crate::picture::Picture;
 /// While frames come faster than this, egui doesn't make a tree for each.
 const INTERVAL_MS: i32 = 100;
 
+/// What a value becomes is said no more often than this, and the last of it is.
+const SAID_MS: i32 = 700;
+
 /// A delay that is over when the next frame is drawn: what is asked for with a delay is drawn once.
 const ONE_FRAME: Duration = Duration::from_nanos(1);
 
@@ -95,11 +98,16 @@ struct Page {
     focused: Option<egui::Id>,
     /// Something was chosen from a list, which is to close.
     chosen: bool,
-    /// What has egui's focus, and its value: the last that was announced.
+    /// What has egui's focus, and its value: the last that was announced, or waits to be.
     told: (NodeId, String),
+    /// A value that waits to be announced: people who hold a key want to hear where it has brought them, not the way.
+    unsaid: Option<String>,
+    /// The timeout after which it is.
+    saying: Option<i32>,
     /// Of all [`EVENTS`]; what it does may cause another of them.
     listener: Closure<dyn Fn(Event)>,
     on_timer: Closure<dyn FnMut()>,
+    on_said: Closure<dyn FnMut()>,
 }
 
 impl Page {
@@ -116,6 +124,9 @@ impl Page {
         let on_timer = Closure::new(|| {
             with_page(Page::resume);
         });
+        let on_said = Closure::new(|| {
+            with_page(Page::say);
+        });
         Some(Self {
             ctx: ctx.clone(),
             document,
@@ -129,8 +140,11 @@ impl Page {
             focused: None,
             chosen: false,
             told: (NodeId(0), String::new()),
+            unsaid: None,
+            saying: None,
             listener,
             on_timer,
+            on_said,
         })
     }
 
@@ -168,10 +182,7 @@ impl Page {
         self.missed = false;
         self.write(update, zoom);
         if self.timer.is_none() {
-            self.timer = web_sys::window().and_then(|window| {
-                let callback = self.on_timer.as_ref().unchecked_ref();
-                window.set_timeout_with_callback_and_timeout_and_arguments_0(callback, INTERVAL_MS).ok()
-            });
+            self.timer = timeout(&self.on_timer, INTERVAL_MS);
         }
         if self.timer.is_some() {
             self.ctx.disable_accesskit();
@@ -274,13 +285,30 @@ impl Page {
         let pressed = self.ctx.input(|input| input.pointer.any_down());
         let focused = self.shown.get(&focus).filter(|shown| !shown.picture.kind.holds());
         let (name, value) = focused.map(|shown| shown.picture.spoken()).unwrap_or_default();
+        if pressed {
+            // Not while something is dragged; where that has brought it is said afterwards.
+            return;
+        }
         let told = mem::replace(&mut self.told, (focus, value.clone()));
-        if on_element || pressed || name.is_empty() {
+        if on_element || name.is_empty() {
+            self.unsaid = None;
             return;
         }
         if told.0 != focus {
+            self.unsaid = None;
             announce(&format!("{name}, {value}"));
         } else if told.1 != value {
+            self.unsaid = Some(value);
+            if self.saying.is_none() {
+                self.saying = timeout(&self.on_said, SAID_MS);
+            }
+        }
+    }
+
+    /// Says the value that waits, as it is by now.
+    fn say(&mut self) {
+        self.saying = None;
+        if let Some(value) = self.unsaid.take() {
             announce(&value);
         }
     }
@@ -388,8 +416,11 @@ impl Page {
 
 impl Drop for Page {
     fn drop(&mut self) {
-        if let (Some(timer), Some(window)) = (self.timer, web_sys::window()) {
-            window.clear_timeout_with_handle(timer);
+        let window = web_sys::window();
+        for timer in [self.timer, self.saying].into_iter().flatten() {
+            if let Some(window) = &window {
+                window.clear_timeout_with_handle(timer);
+            }
         }
         for name in EVENTS {
             // If it can't be removed, it was never heard.
@@ -398,6 +429,12 @@ impl Drop for Page {
         }
         self.root.set_text_content(None);
     }
+}
+
+/// Has the browser call back after so many milliseconds.
+fn timeout(callback: &Closure<dyn FnMut()>, milliseconds: i32) -> Option<i32> {
+    let callback = callback.as_ref().unchecked_ref();
+    web_sys::window()?.set_timeout_with_callback_and_timeout_and_arguments_0(callback, milliseconds).ok()
 }
 
 /// Puts these into their order, touching only those out of place: a moved element loses the focus.

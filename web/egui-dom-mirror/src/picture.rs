@@ -4,6 +4,9 @@ use egui::accesskit::{Action, HasPopup, Node, Orientation, Toggled};
 
 use crate::kind::Kind;
 
+/// Id of the list that a combo box has opened; no two are open at once.
+const LIST: &str = "mirror-list";
+
 /// What an element shows of a node: all of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -144,6 +147,9 @@ fn attributes(kind: Kind, node: &Node, name: &str) -> Vec<(&'static str, String)
     if let Some(role) = kind.role() {
         put("role", role);
     }
+    if kind == Kind::Holder("listbox") {
+        put("id", LIST);
+    }
     if kind.holds() {
         put("data-holds", "");
     } else if kind.is_pressed() || kind.input_type().is_some() {
@@ -167,6 +173,9 @@ fn attributes(kind: Kind, node: &Node, name: &str) -> Vec<(&'static str, String)
     }
     if kind == Kind::ComboBox {
         put("aria-haspopup", "listbox");
+        if node.is_expanded() == Some(true) {
+            put("aria-controls", LIST);
+        }
     } else if let Some(popup) = node.has_popup() {
         put(
             "aria-haspopup",
@@ -305,6 +314,17 @@ mod tests {
         let picture = picture(&node, "Aircraft");
         assert_eq!(picture.text, "Navion");
         assert_eq!(picture.spoken(), ("Aircraft".to_owned(), "Navion".to_owned()));
+    }
+
+    #[test]
+    fn a_combo_box_that_is_open_names_its_list() {
+        let mut node = Node::new(Role::ComboBox);
+        let controls =
+            |node: &Node| picture(node, "Aircraft").attributes.contains(&("aria-controls", LIST.to_owned()));
+        assert!(!controls(&node));
+        node.set_expanded(true);
+        assert!(controls(&node));
+        assert!(picture(&Node::new(Role::ListBox), "Aircraft").attributes.contains(&("id", LIST.to_owned())));
     }
 
     #[test]

@@ -1,0 +1,83 @@
+//! Pairs of a name and a number in the printed logs of other programs: `CLa =   7.299206    CLb =-10.1`.
+
+use crate::content::matrix::draft::number;
+
+/// A name, what stands behind its equals sign, and the number that this begins with.
+#[derive(Clone, Debug)]
+pub(super) struct Pair<'t> {
+    pub name: &'t str,
+    pub value: f64,
+    /// The pair as it stands in the text.
+    pub text: &'t str,
+    /// What follows the number, up to the next name.
+    pub unit: &'t str,
+}
+
+/// Every pair of a line. A name is the word before the equals sign.
+pub(super) fn pairs(line: &str) -> Vec<Pair<'_>> {
+    let mut pairs = Vec::new();
+    let mut from = 0;
+    for (at, _) in line.match_indices('=') {
+        if at < from {
+            continue;
+        }
+        let before = line[from..at].trim_end();
+        let start = before
+            .rfind(char::is_whitespace)
+            .map_or(0, |blank| blank + before[blank..].chars().next().map_or(1, char::len_utf8));
+        let name = &before[start..];
+        let behind = &line[at + 1..];
+        let digits = behind.trim_start();
+        let skipped = behind.len() - digits.len();
+        let length = number_length(digits);
+        let Some(value) = number(&digits[..length]) else { continue };
+        let end = at + 1 + skipped + length;
+        let rest = &line[end..];
+        let unit = rest.find("  ").map_or(rest, |blank| &rest[..blank]).trim();
+        pairs.push(Pair { name, value, text: line[from + start..end].trim(), unit });
+        from = end;
+    }
+    pairs
+}
+
+/// A sign, digits with a point, an exponent.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let mut end = usize::from(text.starts_with(['+', '-']));
+    end += digits(end);
+    if bytes.get(end) == Some(&b'.') {
+        end += 1;
+        end += digits(end);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E' | b'd' | b'D')) {
+        let mut at = end + 1;
+        at += usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+        let exponent = digits(at);
+        if exponent > 0 {
+            end = at + exponent;
+        }
+    }
+    end
+}
+
+/// The numbers of a line that holds nothing else.
+pub(super) fn numbers(line: &str) -> Option<Vec<f64>> {
+    let numbers: Option<Vec<f64>> = line.split_whitespace().map(number).collect();
+    numbers.filter(|numbers| !numbers.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_are_read_with_glued_signs_and_exponents() {
+        let line = " y  mom. Cm |    Cma =  -1.884644    Cmb =-10.1  CLd01 = -0.17402146E-01  Mass= 0.185 kg";
+        let found: Vec<(&str, f64)> = pairs(line).iter().map(|pair| (pair.name, pair.value)).collect();
+        assert_eq!(found, [("Cma", -1.884644), ("Cmb", -10.1), ("CLd01", -0.017402146), ("Mass", 0.185)]);
+        assert_eq!(pairs(line)[3].unit, "kg");
+        assert_eq!(pairs("= 3").len(), 1);
+        assert_eq!(pairs("é=é = 3 =")[0].name, "é=é");
+    }
+}
