@@ -141,7 +141,7 @@ fn three_states_are_told_what_is_missing_and_of_the_factor_in_the_row_of_theta()
     let error = open(&["05-ctms-pitch.m"], &[]).aircraft().expect_err("no plane of motion").to_string();
     assert_eq!(
         error,
-        "05-ctms-pitch.m, line 1: There are 3 states, alpha, q, theta. A plane of motion has four: the speed u is missing. And the row \
+        "05-ctms-pitch.m, line 6: There are 3 states, alpha, q, theta. A plane of motion has four: the speed u is missing. And the row \
          of θ says θ̇ = 56.7 q, where pitch rate is the rate of pitch angle: θ̇ = q. Is the column of q in another unit of time?"
     );
 }
@@ -257,7 +257,7 @@ fn what_is_no_model_is_told_in_a_sentence_with_its_line() {
         (
             "a.m",
             b"% units: SI\n% speed: 50\n% states: u w q quark\nA = [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 1 0];",
-            "a.m, line 1: “quark” is not a state known here; known are u (or V), w (or alpha), q, theta, v (or beta), p, r, phi, and h, psi, x, y, thrust, elevator and the like beside them.",
+            "a.m, line 3: “quark” is not a state known here; known are u (or V), w (or alpha), q, theta, v (or beta), p, r, phi, and h, psi, x, y, thrust, elevator and the like beside them.",
         ),
     ] {
         assert_eq!(told(name, text), expected);

@@ -17,6 +17,14 @@ const SHORTEST: f64 = 0.25;
 const STEEPEST: f64 = 300.0;
 /// Feet in a metre.
 const FEET: f64 = 1.0 / 0.3048;
+/// Units of speed in which a file may have it, beside those of its length \[m/s\].
+const SPEED_UNITS: [(f64, &str); 5] = [
+    (0.514_444_444_444_444_4, "knots"),
+    (0.447_04, "miles an hour"),
+    (1.0 / 3.6, "kilometres an hour"),
+    (0.3048, "feet a second"),
+    (1.0, "metres a second"),
+];
 
 fn is(ratio: f64, factor: f64) -> bool {
     (ratio / factor - 1.0).abs() < NEAR
@@ -52,6 +60,18 @@ fn longitudinal(sheet: &mut Sheet, model: &PlaneModel, said: &Said) {
     let (weight, turn) =
         (-entry(a, Longitudinal::U, Longitudinal::Theta), entry(a, Longitudinal::W, Longitudinal::Q));
     let [of_weight, of_turn] = [weight / g, turn / trim.u0()];
+    let numbers = format!(
+        "A(u, θ) is {} m/s², where −g cos θ₀ is {} m/s², and A(w, q) is {} m/s, where U₀ is {} m/s",
+        significant(-weight, 4),
+        significant(-g, 4),
+        significant(turn, 4),
+        significant(trim.u0(), 4)
+    );
+    if speed_in_other_units(sheet, model, said, [of_weight, of_turn], &numbers)
+        || signs_of_axes(sheet, ["A(u, θ)", "A(w, q)"], [of_weight, of_turn], &numbers)
+    {
+        return;
+    }
     if PLAUSIBLE.contains(&of_weight) && PLAUSIBLE.contains(&of_turn) {
         // Z_w = −(g/V) C_Lα/C_L
         let heave = entry(a, Longitudinal::W, Longitudinal::W);
@@ -68,13 +88,6 @@ fn longitudinal(sheet: &mut Sheet, model: &PlaneModel, said: &Said) {
         }
         return;
     }
-    let numbers = format!(
-        "A(u, θ) is −{} m/s², where −g cos θ₀ is −{} m/s², and A(w, q) is {} m/s, where U₀ is {} m/s",
-        significant(weight, 4),
-        significant(g, 4),
-        significant(turn, 4),
-        significant(trim.u0(), 4)
-    );
     // In hundredths of a radian or degrees both are that much too small.
     let angles = [(0.01, "crad", "hundredths of a radian"), (1_f64.to_radians(), "deg", "degrees")];
     if said.in_radians {
@@ -96,6 +109,46 @@ fn longitudinal(sheet: &mut Sheet, model: &PlaneModel, said: &Said) {
         }
     }
     gravity(sheet, of_weight, PLAUSIBLE.contains(&of_turn), said, numbers);
+}
+
+/// A speed that the rates say in another unit than the file's, gravity being right.
+fn speed_in_other_units(
+    sheet: &mut Sheet,
+    model: &PlaneModel,
+    said: &Said,
+    [of_weight, of_turn]: [f64; 2],
+    numbers: &str,
+) -> bool {
+    let unit = SPEED_UNITS.iter().find(|(size, _)| *size != said.length && is(of_turn, size / said.length));
+    let Some((size, words)) = unit.filter(|_| PLAUSIBLE.contains(&of_weight) && !said.by_angle) else {
+        return false;
+    };
+    let speed = model.trim.speed * size / said.length;
+    sheet.warn(
+        "speed-unit",
+        format!("{numbers}: the speed is in {words}."),
+        vec![Remedy::new("speed", significant(speed, 6))],
+    );
+    true
+}
+
+/// Entries of the right size and the wrong sign: another sense of an axis, or a sign that got lost.
+fn signs_of_axes(sheet: &mut Sheet, names: [&str; 2], ratios: [f64; 2], numbers: &str) -> bool {
+    if !ratios.iter().all(|ratio| PLAUSIBLE.contains(&ratio.abs())) {
+        return false;
+    }
+    let turned: Vec<&str> =
+        names.into_iter().zip(ratios).filter(|(_, ratio)| *ratio < 0.0).map(|(name, _)| name).collect();
+    if turned.is_empty() {
+        return false;
+    }
+    let verb = if turned.len() == 1 { "has the wrong sign" } else { "have the wrong sign" };
+    let sentence = format!(
+        "{numbers}: {} {verb}. Here x points forward, y to the right and z down; turn the states that count the other way.",
+        turned.join(" and ")
+    );
+    sheet.warn("axes", sentence, Vec::new());
+    true
 }
 
 /// Gravity that is out by the ratio of a foot to a metre, the speed being right: the file is in the other unit.
@@ -120,12 +173,17 @@ fn lateral(sheet: &mut Sheet, model: &PlaneModel, said: &Said) {
     let (weight, turn) = (entry(a, Lateral::V, Lateral::Phi), -entry(a, Lateral::V, Lateral::R));
     let [of_weight, of_turn] = [weight / g, turn / trim.u0()];
     let numbers = format!(
-        "A(v, φ) is {} m/s², where g cos θ₀ is {} m/s², and A(v, r) is −{} m/s, where −U₀ is −{} m/s",
+        "A(v, φ) is {} m/s², where g cos θ₀ is {} m/s², and A(v, r) is {} m/s, where −U₀ is {} m/s",
         significant(weight, 4),
         significant(g, 4),
-        significant(turn, 4),
-        significant(trim.u0(), 4)
+        significant(-turn, 4),
+        significant(-trim.u0(), 4)
     );
+    if speed_in_other_units(sheet, model, said, [of_weight, of_turn], &numbers)
+        || signs_of_axes(sheet, ["A(v, φ)", "A(v, r)"], [of_weight, of_turn], &numbers)
+    {
+        return;
+    }
     if PLAUSIBLE.contains(&of_weight) && PLAUSIBLE.contains(&of_turn) {
         pitch_angle(sheet, model);
         if !said.by_angle {

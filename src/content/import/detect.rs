@@ -56,9 +56,12 @@ pub(super) fn form(name: &str, text: &str) -> Found {
         return Found::Form(Form::Xflr5);
     }
     let first = text.trim_start();
-    if first.starts_with('{') {
+    if first.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}'])) {
         let is_jsbsim = has("\"x_names\"") && has("\"A\"");
         return Found::Form(if is_jsbsim { Form::JsbsimJson } else { Form::Json });
+    }
+    if first.starts_with('[') && has("{") && has("\"A\"") {
+        return Found::Other("this is a list of several models; open one of them, an object with \"A\"");
     }
     if is_avl_system(text) {
         return Found::Form(Form::AvlSystem);
@@ -80,24 +83,26 @@ pub(super) fn form(name: &str, text: &str) -> Found {
             "this is XML; of JSBSim, open a linearisation that it has made, not the aircraft’s file",
         );
     }
+    let is_named = |line: &str| {
+        let cells = line.split([',', ';', '\t', '|']).filter(|cell| !cell.trim().is_empty());
+        let words = cells.filter(|cell| cell.trim().starts_with(|c: char| c.is_alphabetic()));
+        words.count() >= 2
+    };
+    if matches!(ending.as_str(), "csv" | "tsv") && lines().any(is_named) {
+        return Found::Form(Form::Table);
+    }
     // An assignment in a line that is no comment.
     let assigns = lines().any(|line| !line.starts_with(['#', '%']) && line.contains('='));
     if matches!(ending.as_str(), "m" | "py") || assigns {
         return Found::Form(Form::Script);
     }
-    let is_named = |line: &str| {
-        let cells = line.split([',', ';', '\t']).filter(|cell| !cell.trim().is_empty());
-        let words = cells.filter(|cell| cell.trim().starts_with(|c: char| c.is_alphabetic()));
-        words.count() >= 2
-    };
-    if matches!(ending.as_str(), "csv" | "tsv") && lines().any(is_named)
-        || lines().filter(|line| is_named(line)).count() > 1
-    {
+    if lines().filter(|line| is_named(line)).count() > 1 {
         return Found::Form(Form::Table);
     }
     if lines()
         .any(|line| line.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '[')))
         || has("array(")
+        || has("Matrix([")
     {
         return Found::Form(if lines().any(is_named) { Form::Table } else { Form::Numbers });
     }

@@ -3,6 +3,7 @@
 use super::aircraft_text::AircraftText;
 use super::checks::{self, Said};
 use super::further;
+use super::matrix_names;
 use super::naming;
 use super::part::Part;
 use super::parting;
@@ -35,7 +36,7 @@ pub(super) fn complete(sheet: &mut Sheet, mut draft: Draft) -> Result<(), Proble
     if let Ok(Some(name)) = draft.text("name") {
         sheet.review.title = name.value.to_owned();
     }
-    naming::find_matrices(sheet, &mut draft)?;
+    matrix_names::find(sheet, &mut draft)?;
     let At { line, value: a } = rows(&draft, "A")?
         .ok_or_else(|| (1, "A: missing; expected a line that begins with \"A = [\"".to_owned()))?;
     let n = a.len();
@@ -47,7 +48,7 @@ pub(super) fn complete(sheet: &mut Sheet, mut draft: Draft) -> Result<(), Proble
     let Some(meanings) = naming::all_meanings(sheet, &names, &known) else {
         let stranger = names.iter().zip(&known).find(|(_, meaning)| meaning.is_none());
         let name = stranger.map_or("", |(name, _)| name);
-        sheet.stop("states", naming::unknown(name), Vec::new());
+        sheet.stop_on_line(draft.line("states").unwrap_or(line), "states", naming::unknown(name), Vec::new());
         return Ok(());
     };
     naming::say_states(sheet, line, &names, &meanings);
@@ -93,7 +94,7 @@ pub(super) fn complete(sheet: &mut Sheet, mut draft: Draft) -> Result<(), Proble
     }
     sideslip_row(sheet, &mut system, trim.speed)?;
 
-    let parts = parting::part(sheet, &system);
+    let parts = parting::part(sheet, &system, line);
     let mut models = Vec::new();
     for part in &parts {
         if !part.further.is_empty()
@@ -325,13 +326,18 @@ fn model_of(
                     && model.further.as_ref().is_none_or(|further| further.is_finite())
             };
             if !is_finite(&model) {
-                sheet.stop("size", "A has an entry that is too large to compute with.", Vec::new());
+                sheet.stop_on_line(
+                    line,
+                    "size",
+                    "A has an entry that is too large to compute with.",
+                    Vec::new(),
+                );
                 return None;
             }
             Some(model)
         }
         Err((_, problem)) => {
-            sheet.stop("matrix", problem, Vec::new());
+            sheet.stop_on_line(line, "matrix", problem, Vec::new());
             None
         }
     }

@@ -26,7 +26,7 @@ pub(super) const fn word(meaning: Meaning) -> &'static str {
         Meaning::Actuator(_) => "control",
         Meaning::Other => "a state of its own",
         Meaning::Rigid(..) | Meaning::Airspeed | Meaning::SpeedRatio | Meaning::PathAngle => {
-            "state of the other plane"
+            "a rigid-body state of no whole plane"
         }
     }
 }

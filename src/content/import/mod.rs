@@ -11,7 +11,7 @@
 //! | `encoding`, `notation`, `detect` | bytes as text, other programs’ ways of writing a matrix, and the form that it is in |
 //! | `fills`, `quantities`, `sheet` | what was typed; what there is to fill in; a review in the making |
 //! | `scan`, `avl`, `xflr5`, `vspaero`, `datcom`, `jsbsim` | readers of other programs’ files |
-//! | `naming`, `system`, `part`, `parting`, `further` | states and inputs of matrices, the two planes in them, and what stands beside the four |
+//! | `naming`, `matrix_names`, `system`, `part`, `parting`, `further` | states and inputs of matrices, the two planes in them, and what stands beside the four |
 //! | `checks` | what A says of its own units |
 //! | `from_coefficients`, `from_derivatives`, `from_matrices`, `aircraft_text` | what is missing is asked for, and the aircraft is written |
 //!
@@ -29,6 +29,7 @@ mod from_derivatives;
 mod from_matrices;
 mod further;
 mod jsbsim;
+mod matrix_names;
 mod naming;
 mod notation;
 mod part;
@@ -75,7 +76,12 @@ pub fn review(files: &[FileBytes<'_>], fills: &BTreeMap<String, String>) -> Resu
         if text.trim().is_empty() {
             return Err(error("the file is empty; expected matrices A and B, or the output of a program"));
         }
-        texts.push((file.name, notation::plain(&text).into_owned(), encoding));
+        let text = notation::plain(&text).map_err(|(line, problem)| ContentError {
+            file: file.name.to_owned(),
+            line,
+            problem,
+        })?;
+        texts.push((file.name, text.into_owned(), encoding));
     }
     let is_mass = |(_, text, _): &&(&str, String, Option<&str>)| detect::is_mass_file(text);
     let mass = texts.iter().find(is_mass).filter(|_| texts.len() > 1);
@@ -189,7 +195,8 @@ impl Review {
         if !missing.is_empty() {
             sentences.push(format!("the file doesn’t say {}", missing.join("; ")));
         }
-        Err(ContentError { file: self.file.clone(), line: 1, problem: sentences.join(" ") })
+        let line = self.doubts.iter().find(|doubt| doubt.stops).map_or(1, |doubt| doubt.line.max(1));
+        Err(ContentError { file: self.file.clone(), line, problem: sentences.join(" ") })
     }
 
     /// The aircraft, or in one sentence what stands in its way.

@@ -3,34 +3,10 @@
 use super::review::Field;
 use super::sheet::Sheet;
 use super::system::System;
-use crate::content::matrix::draft::{At, Draft, Entry, Problem, Rows};
+use crate::content::matrix::draft::{At, Draft, Problem, Rows};
 use crate::content::matrix::state_names::{Meaning, control, plane_of_control, unit};
 use crate::flight::aircraft::plane::Plane;
 use crate::number::{significant, trimmed};
-
-/// A and B where the file calls them something else: the only square matrix, and the only other one with as many rows.
-pub(super) fn find_matrices(sheet: &mut Sheet, draft: &mut Draft) -> Result<(), Problem> {
-    let strangers = std::mem::take(&mut draft.strangers);
-    let is_square =
-        |rows: &[At<Vec<f64>>]| rows.len() >= 3 && rows.iter().all(|row| row.value.len() == rows.len());
-    if !draft.has("A") {
-        let mut squares = strangers.iter().filter(|(_, rows)| is_square(&rows.value));
-        if let (Some((name, rows)), None) = (squares.next(), squares.next()) {
-            draft.set("A", rows.line, Entry::Rows(rows.value.clone()))?;
-            sheet.remark(format!("{name} is read as A: it is the only square matrix."));
-            let n = rows.value.len();
-            let mut others = strangers.iter().filter(|(_, rows)| {
-                rows.value.len() == n
-                    && rows.value.iter().all(|row| row.value.len() < n && !row.value.is_empty())
-            });
-            if let (false, Some((name, rows)), None) = (draft.has("B"), others.next(), others.next()) {
-                draft.set("B", rows.line, Entry::Rows(rows.value.clone()))?;
-                sheet.remark(format!("{name} is read as B: it is the only other matrix with {n} rows."));
-            }
-        }
-    }
-    Ok(())
-}
 
 /// B with a row for each state; a single row of as many numbers is a column that was written down flat.
 pub(super) fn upright(sheet: &mut Sheet, line: usize, b: Rows, n: usize) -> Result<At<Rows>, Problem> {
@@ -58,11 +34,18 @@ pub(super) fn upright(sheet: &mut Sheet, line: usize, b: Rows, n: usize) -> Resu
     }
 }
 
-/// Names in a text: parted by commas where there are any, and by blanks otherwise.
+/// Names in a text: parted by commas where there are any, and by blanks otherwise; a unit in brackets belongs to the name before it.
 fn split(text: &str) -> Vec<String> {
     let is_list = text.contains([',', ';']);
     let parts = text.split(|c: char| if is_list { matches!(c, ',' | ';') } else { c.is_whitespace() });
-    parts.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect()
+    let mut names: Vec<String> = Vec::new();
+    for part in parts.map(str::trim).filter(|name| !name.is_empty()) {
+        match names.last_mut().filter(|_| part.starts_with(['[', '('])) {
+            Some(name) => *name = format!("{name} {part}"),
+            None => names.push(part.to_owned()),
+        }
+    }
+    names
 }
 
 /// The names of the states: typed, said, or as A looks. `None` while a person has to say them.
@@ -94,11 +77,16 @@ pub(super) fn states(
 }
 
 /// Names that fit the rows of A, where the first four are of one plane.
-fn guess(a: &[Vec<f64>]) -> Option<String> {
+pub(super) fn guess(a: &[Vec<f64>]) -> Option<String> {
     let near = |x: f64, expected: f64| (x - expected).abs() < 1e-3;
     let row = a.get(3)?;
     let is_one = |k: usize| row.iter().enumerate().all(|(j, &x)| near(x, if j == k { 1.0 } else { 0.0 }));
-    let mut names = if is_one(2) {
+    let is_sideslip = a[0][1] < 0.0 && a[0][3] > 0.0 && near(a[0][2], 0.0);
+    let mut names = if is_one(2) && is_sideslip {
+        // Yaw before roll: φ̇ = p, v̇ = … − V r + g φ.
+        let flow = if (0.8..1.2).contains(&-a[0][1]) { "beta" } else { "v" };
+        vec![flow, "r", "p", "phi"]
+    } else if is_one(2) {
         let flow = if near(a[1][2], 1.0) || (0.8..1.2).contains(&a[1][2]) { "alpha" } else { "w" };
         vec!["u", flow, "q", "theta"]
     } else if near(row[0], 0.0) && near(row[1], 1.0) && near(row[3], 0.0) {
@@ -280,22 +268,30 @@ pub(super) fn angle(angles: &str) -> f64 {
     }
 }
 
-/// States whose names tell a unit of their own, in the units of the file.
+/// States and inputs whose names tell a unit of their own, in the units of the file.
 pub(super) fn own_units(system: &mut System, length: f64, angles: &str) {
     let angle = angle(angles);
-    for k in 0..system.names.len() {
-        let Some(unit) = unit(&system.names[k]) else { continue };
-        let (size, base) = match unit.as_str() {
-            "deg" | "deg/s" | "°" | "°/s" => (1_f64.to_radians(), angle),
+    // x in the file's unit is size/base of ours: x′ = (size/base) x
+    let factor = |name: &str| {
+        let (size, base) = match unit(name)?.as_str() {
+            "deg" | "deg/s" | "degree" | "degrees" | "°" | "°/s" => (1_f64.to_radians(), angle),
             "rad" | "rad/s" => (1.0, angle),
             "ft" | "ft/s" | "fps" => (0.3048, length),
             "m" | "m/s" => (1.0, length),
             "kt" | "kts" | "kn" => (0.514_444_444_444_444_4, length),
-            _ => continue,
+            "%" | "percent" => (0.01, 1.0),
+            _ => return None,
         };
-        if size != base {
-            // x in the file's unit is size/base of ours: x′ = (size/base) x
-            system.rescale(k, base / size);
+        (size != base).then_some(size / base)
+    };
+    for k in 0..system.names.len() {
+        if let Some(factor) = factor(&system.names[k]) {
+            system.rescale(k, 1.0 / factor);
+        }
+    }
+    for k in 0..system.inputs.len() {
+        if let Some(factor) = factor(&system.inputs[k]) {
+            system.b.iter_mut().for_each(|row| row[k] /= factor);
         }
     }
 }

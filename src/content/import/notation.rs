@@ -1,31 +1,41 @@
 //! Matrices as other programs write them, turned line for line into what the readers know: LaTeX, Mathematica, Maple, Maxima, R, Octave’s
-//! files, what python-control and MATLAB print of a system, tables with the names of their rows.
+//! files, what python-control and MATLAB print of a system, notebooks, tables with the names of their rows.
 //!
 //! What stands on a line stays on it, so that a complaint has its line.
 
 use std::borrow::Cow;
 
-use crate::content::matrix::draft::number;
+use serde::Deserialize;
+
+use crate::content::matrix::draft::{Problem, number, setting};
 use crate::content::matrix::state_names;
 
-/// The text in the words of MATLAB, or as it is.
-pub(super) fn plain(text: &str) -> Cow<'_, str> {
+/// The text in the words of MATLAB, or as it is. Rows that have other names than their columns are refused.
+pub(super) fn plain(text: &str) -> Result<Cow<'_, str>, Problem> {
     let mut text = Cow::Borrowed(text);
     // Old Macs, and some spreadsheets, end a line so.
     if text.contains('\r') && !text.contains('\n') {
         text = text.replace('\r', "\n").into();
+    }
+    // Excel's own line about what parts the cells.
+    if text.trim_start_matches('\u{feff}').starts_with("sep=") {
+        text = text.split_once('\n').map_or(String::new(), |(_, rest)| format!("\n{rest}")).into();
     }
     for (is_there, turn) in TURNS {
         if is_there(&text) {
             text = turn(&text).into();
         }
     }
-    text
+    if has_labels(&text) {
+        text = without_labels(&text)?.into();
+    }
+    Ok(text)
 }
 
 type Turn = (fn(&str) -> bool, fn(&str) -> String);
 
 const TURNS: [Turn; 8] = [
+    (|text| text.contains("\"cells\"") && text.contains("\"nbformat\""), notebook),
     (|text| text.contains("\\begin{"), latex),
     (|text| text.starts_with("# Created by Octave"), octave_file),
     (|text| text.contains("<StateSpace"), python_control),
@@ -33,10 +43,36 @@ const TURNS: [Turn; 8] = [
     (|text| text.contains(": matrix(") || text.contains(":matrix("), maxima),
     (|text| text.contains(":= Matrix(") || text.contains(":=Matrix("), |text| text.replace(":=", "=")),
     (|text| text.contains("{{") || text.contains("{ {"), mathematica),
-    (has_labels, without_labels),
 ];
 
-/// `\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}`, with what is called so before it: `\mathbf{A} =`.
+/// The code of a notebook, without what it printed.
+fn notebook(text: &str) -> String {
+    #[derive(Deserialize)]
+    struct Notebook {
+        cells: Vec<Cell>,
+    }
+    #[derive(Deserialize)]
+    struct Cell {
+        cell_type: String,
+        source: Source,
+    }
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Source {
+        Lines(Vec<String>),
+        Text(String),
+    }
+    let Ok(notebook) = serde_json::from_str::<Notebook>(text) else { return text.to_owned() };
+    let code = notebook.cells.into_iter().filter(|cell| cell.cell_type == "code");
+    let sources = code.map(|cell| match cell.source {
+        Source::Lines(lines) => lines.concat(),
+        Source::Text(text) => text,
+    });
+    sources.collect::<Vec<_>>().join("\n\n")
+}
+
+/// `\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}`, with what is called so before it: `\mathbf{A} =`. Without a name of its own a square is
+/// A, and what is no square B, as in ẋ = […] x + […] δ; what isn't all numbers is a vector of names.
 fn latex(text: &str) -> String {
     let mut plain = String::new();
     let mut rest = text;
@@ -51,32 +87,48 @@ fn latex(text: &str) -> String {
             rest = body;
             continue;
         };
-        let name: String = before
-            .lines()
-            .next_back()
-            .and_then(|line| line.rsplit_once('='))
-            .map(|(name, _)| name.chars().filter(|c| c.is_alphanumeric() || *c == '_').collect())
-            .unwrap_or_default();
-        // The last letter of \mathbf{A}.
-        let name = name.chars().next_back().filter(|c| c.is_alphabetic()).unwrap_or('A');
         let mut inner = &body[..close];
         // The columns of an array: {cccc}.
         if kind == "array" {
             inner = inner.split_once('}').map_or(inner, |(_, rows)| rows);
         }
-        let rows = inner.replace("\\\\", ";").replace("{,}", ".").replace("\\hline", " ");
-        let rows: String =
-            rows.chars().map(|c| if matches!(c, '&' | '$' | '{' | '}') { ' ' } else { c }).collect();
-        plain.push_str(&format!(
-            "\n{name} = [{}];",
-            rows.replace("\\,", "").replace("\\!", "").replace('\n', " ")
-        ));
+        let rows = latex_rows(inner);
+        let cells = || rows.iter().flat_map(|row| row.split_whitespace());
+        if cells().all(|cell| number(cell).is_some()) {
+            let is_square = rows.iter().all(|row| row.split_whitespace().count() == rows.len());
+            let name = latex_name(before).unwrap_or(if is_square { 'A' } else { 'B' });
+            plain.push_str(&format!("\n{name} = [{}];", rows.join(";")));
+        }
         // The lines stay as many.
         plain.push_str(&"\n".repeat(inner.matches('\n').count().saturating_sub(1)));
         rest = &body[close + end.len()..];
     }
     plain.push_str(&comments(rest));
     plain
+}
+
+/// The rows between `\begin` and `\end`, without comments and what only sets the type; the last may be empty.
+fn latex_rows(inner: &str) -> Vec<String> {
+    let without_comment = |line: &str| {
+        let end = line.match_indices('%').map(|(at, _)| at).find(|&at| !line[..at].ends_with('\\'));
+        line[..end.unwrap_or(line.len())].to_owned()
+    };
+    let text = inner.lines().map(without_comment).collect::<Vec<_>>().join(" ");
+    let text = text
+        .replace("\\\\", ";")
+        .replace("{,}", ".")
+        .replace("\\hline", " ")
+        .replace("\\,", "")
+        .replace("\\!", "");
+    let text: String =
+        text.chars().map(|c| if matches!(c, '&' | '$' | '{' | '}') { ' ' } else { c }).collect();
+    text.split(';').map(|row| row.trim().to_owned()).filter(|row| !row.is_empty()).collect()
+}
+
+/// The capital that is the last sign before an equals sign: the last letter of `\mathbf{A} =`.
+fn latex_name(before: &str) -> Option<char> {
+    let (name, _) = before.lines().next_back()?.rsplit_once('=')?;
+    name.chars().rfind(|c| c.is_alphanumeric()).filter(char::is_ascii_uppercase)
 }
 
 /// Every line as a comment.
@@ -202,17 +254,47 @@ fn has_labels(text: &str) -> bool {
     text.lines().filter(|line| labelled(line).is_some_and(|(_, numbers)| numbers.len() >= 3)).count() >= 3
 }
 
-/// Rows without their names; the names above the first become settings, those above the second the inputs.
-fn without_labels(text: &str) -> String {
+/// Rows without their names; the names above the first become settings, those above the second the inputs. Where nothing stands above
+/// them the names of the rows are those of the states.
+fn without_labels(text: &str) -> Result<String, Problem> {
     let mut plain = String::new();
     let mut name = String::new();
-    for line in text.lines() {
-        if let Some((_, numbers)) = labelled(line) {
+    // The states in the order of the columns, where these are named, and of the rows of A.
+    let mut columns: Vec<&str> = Vec::new();
+    let mut rows: Vec<&str> = Vec::new();
+    // The row of the matrix that is being read.
+    let mut place = 0;
+    let is_given = |names: &[&str]| names.iter().all(|name| state_names::is_known(name));
+    for (number, line) in (1..).zip(text.lines()) {
+        if let Some((key, value)) = line.split_once('|').filter(|(key, _)| setting(key.trim()).is_some()) {
+            plain.push_str(&format!("% {}: {}", key.trim(), value.trim()));
+        } else if let Some((label, numbers)) = labelled(line) {
+            let of_a = matches!(name.as_str(), "" | "A");
+            let expected = if of_a { &columns } else { &rows };
+            if let Some(expected) =
+                expected.get(place).filter(|expected| is_given(&[label, *expected]) && **expected != label)
+            {
+                let problem = format!(
+                    "expected the row of {expected} here, in the order of the columns, found that of {label}"
+                );
+                return Err((number, problem));
+            }
+            if of_a {
+                rows.push(label);
+            }
+            place += 1;
             plain.push_str(&numbers.join(" "));
+            let is_last = of_a && columns.is_empty() && rows.len() >= 3 && rows.len() == numbers.len();
+            if is_last && is_given(&rows) {
+                plain.push_str(&format!(" % states: {}", rows.join(" ")));
+            }
         } else if let Some(names) = head(line) {
-            let is_given = |names: &[&str]| names.iter().all(|name| state_names::is_known(name));
+            place = 0;
             match name.as_str() {
-                "" | "A" if is_given(&names) => plain.push_str(&format!("% states: {}", names.join(" "))),
+                "" | "A" if is_given(&names) => {
+                    plain.push_str(&format!("% states: {}", names.join(" ")));
+                    columns = names;
+                }
                 "B" if is_given(&names) => plain.push_str(&format!("% inputs: {}", names.join(" "))),
                 _ => {}
             }
@@ -221,10 +303,11 @@ fn without_labels(text: &str) -> String {
                 line.trim().split_once('=').map(|(name, value)| (name.trim(), value.trim()))
             {
                 before.clone_into(&mut name);
+                place = 0;
             }
             plain.push_str(line);
         }
         plain.push('\n');
     }
-    plain
+    Ok(plain)
 }

@@ -15,7 +15,7 @@ const MUCH: f64 = 0.05;
 const ROUNDING: f64 = 1e-4;
 
 /// The planes that the system has all four states of.
-pub(super) fn part(sheet: &mut Sheet, system: &System) -> Vec<Part> {
+pub(super) fn part(sheet: &mut Sheet, system: &System, line: usize) -> Vec<Part> {
     let mut parts = Vec::new();
     for plane in Plane::ALL {
         let found = system.plane(plane);
@@ -31,7 +31,7 @@ pub(super) fn part(sheet: &mut Sheet, system: &System) -> Vec<Part> {
         });
     }
     if parts.is_empty() {
-        say_incomplete(sheet, system);
+        say_incomplete(sheet, system, line);
         return parts;
     }
     further::share_out(system, &mut parts);
@@ -92,7 +92,7 @@ fn controls(sheet: &mut Sheet, system: &System, part: &Part) -> (Vec<&'static st
 }
 
 /// The file has no plane of motion as a whole.
-fn say_incomplete(sheet: &mut Sheet, system: &System) {
+fn say_incomplete(sheet: &mut Sheet, system: &System, line: usize) {
     let names = |plane| match plane {
         Plane::Longitudinal => ["the speed u", "w or α", "the pitch rate q", "the pitch angle θ"],
         Plane::Lateral => ["v or β", "the roll rate p", "the yaw rate r", "the bank φ"],
@@ -124,7 +124,7 @@ fn say_incomplete(sheet: &mut Sheet, system: &System) {
             ));
         }
     }
-    sheet.stop("states", sentence, Vec::new());
+    sheet.stop_on_line(line, "states", sentence, Vec::new());
 }
 
 /// What is left out beside the rigid-body states, and what difference that makes.

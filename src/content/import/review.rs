@@ -106,6 +106,8 @@ pub struct Choice {
 pub struct Doubt {
     /// Its key.
     pub key: &'static str,
+    /// Line of the file, counted from 1; 0 where it concerns the whole.
+    pub line: usize,
     /// Whether the aircraft can be used all the same.
     pub stops: bool,
     /// A sentence with the numbers that show it.

@@ -100,11 +100,21 @@ impl Sheet {
     }
 
     pub fn warn(&mut self, key: &'static str, sentence: impl Into<String>, remedy: Vec<Remedy>) {
-        self.review.doubts.push(Doubt { key, stops: false, sentence: sentence.into(), remedy });
+        self.review.doubts.push(Doubt { key, line: 0, stops: false, sentence: sentence.into(), remedy });
     }
 
     pub fn stop(&mut self, key: &'static str, sentence: impl Into<String>, remedy: Vec<Remedy>) {
-        self.review.doubts.push(Doubt { key, stops: true, sentence: sentence.into(), remedy });
+        self.stop_on_line(0, key, sentence, remedy);
+    }
+
+    pub fn stop_on_line(
+        &mut self,
+        line: usize,
+        key: &'static str,
+        sentence: impl Into<String>,
+        remedy: Vec<Remedy>,
+    ) {
+        self.review.doubts.push(Doubt { key, line, stops: true, sentence: sentence.into(), remedy });
     }
 
     /// Whether a field has no value yet.

@@ -77,14 +77,21 @@ impl System {
     }
 }
 
-/// Eigenvalues of a square matrix; `None` where they can't be found.
+/// Eigenvalues of a square matrix; `None` where they can't be found. Real and imaginary parts that are but rounding are zero.
 pub(super) fn eigenvalues(a: &[Vec<f64>]) -> Option<Vec<Complex<f64>>> {
     if a.is_empty() || a.iter().flatten().any(|x| !x.is_finite() || x.abs() > 1e100) {
         return None;
     }
     let matrix = DMatrix::from_fn(a.len(), a.len(), |i, j| a[i][j]);
-    let schur = Schur::try_new(balanced(matrix), f64::EPSILON, 10_000)?;
-    let values: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();
+    let matrix = balanced(matrix);
+    let rounding = ROUNDING * matrix.norm();
+    let rounded = |part: f64| if part.abs() < rounding { 0.0 } else { part };
+    let schur = Schur::try_new(matrix, f64::EPSILON, 10_000)?;
+    let values: Vec<Complex<f64>> = schur
+        .complex_eigenvalues()
+        .iter()
+        .map(|value| Complex::new(rounded(value.re), rounded(value.im)))
+        .collect();
     values.iter().all(|value| value.re.is_finite() && value.im.is_finite()).then_some(values)
 }
 
@@ -113,6 +120,9 @@ fn balanced(mut a: DMatrix<f64>) -> DMatrix<f64> {
     }
     a
 }
+
+/// What a simple eigenvalue of a balanced matrix may be off, over the norm of the matrix.
+const ROUNDING: f64 = 1e-14;
 
 /// An eigenvalue alone and in company.
 #[derive(Clone, Copy, Debug)]

@@ -52,6 +52,8 @@ pub(in crate::content) struct Draft {
     entries: Vec<(&'static str, At<Entry>)>,
     /// Matrices under names that mean nothing here, as `F = [ … ]`.
     pub strangers: Vec<(String, At<Rows>)>,
+    /// Where the first of those is changed after it was given, which matters only if it is A or B.
+    pub changed: Option<Problem>,
     /// What a reader of the matrices must know, such as digits that were not printed.
     pub remarks: Vec<String>,
 }
@@ -96,7 +98,7 @@ pub(in crate::content) fn number(text: &str) -> Option<f64> {
 }
 
 /// The setting that goes by this name; `name` itself is one, too.
-pub(super) fn setting(name: &str) -> Option<&'static str> {
+pub(in crate::content) fn setting(name: &str) -> Option<&'static str> {
     if name == "name" {
         return Some("name");
     }
@@ -127,6 +129,11 @@ impl Draft {
     /// A setting, with its line.
     pub fn find(&self, key: &str) -> Option<&At<Entry>> {
         self.entries.iter().find(|(name, _)| *name == key).map(|(_, entry)| entry)
+    }
+
+    /// The line of a setting.
+    pub fn line(&self, key: &str) -> Option<usize> {
+        self.find(key).map(|entry| entry.line)
     }
 
     /// A setting that is a finite number.

@@ -1,5 +1,5 @@
-//! Matrices as CSV: settings, a row of names, a row of numbers for each state. Cells are parted by commas, semicolons or tabs; where
-//! it isn't by commas, a comma is a decimal comma.
+//! Matrices as CSV: settings, a row of names, a row of numbers for each state. Cells are parted by commas, semicolons, tabs or upright
+//! strokes; where it isn't by commas, a comma is a decimal comma.
 
 use super::draft::{At, Draft, Entry, Problem, number, setting, setting_in_comment};
 use super::state_names;
@@ -16,6 +16,8 @@ impl Separator {
             b';'
         } else if lines('\t') > lines(',') / 2 {
             b'\t'
+        } else if lines('|') > lines(',') / 2 {
+            b'|'
         } else {
             b','
         })
@@ -39,6 +41,7 @@ struct Head {
 pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
     let separator = Separator::of(text);
     let mut draft = Draft::default();
+    let text_below = |line: usize| text.lines().skip(line);
     let mut head: Option<Head> = None;
     let (mut a, mut b) = (Vec::new(), Vec::new());
     // Line by line, so that every complaint has its line.
@@ -60,7 +63,11 @@ pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
                         ),
                     ));
                 }
-                None => head = Some(read_head(&mut draft, line, cells)?),
+                None => {
+                    let is_row = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+                    let rows = text_below(line).filter(is_row).count();
+                    head = Some(read_head(&mut draft, line, cells, rows)?);
+                }
             }
             continue;
         };
@@ -117,17 +124,17 @@ fn is_of_table(key: &str) -> bool {
     matches!(key, "A" | "B" | "states" | "inputs")
 }
 
-/// The first cell is the name of a state, or stands above the names of the rows and means nothing.
-fn read_head(draft: &mut Draft, line: usize, cells: Vec<String>) -> Result<Head, Problem> {
+/// The first cell is the name of a state, or stands above the names of the rows and means nothing. There are as many rows below.
+fn read_head(draft: &mut Draft, line: usize, cells: Vec<String>, rows: usize) -> Result<Head, Problem> {
     let is_labelled = !state_names::is_known(&cells[0]);
     let mut named: Vec<String> = cells.into_iter().skip(usize::from(is_labelled)).collect();
     // Spreadsheets leave empty cells at the end.
     while named.last().is_some_and(String::is_empty) {
         named.pop();
     }
-    // Heights, headings and lags may stand behind the four.
+    // Heights, headings and lags may stand behind the four: those that are no controls, and whatever has a row.
     let further = named.iter().skip(4).take_while(|name| state_names::is_further(name)).count();
-    let inputs = named.split_off((4 + further).min(named.len()));
+    let inputs = named.split_off((4 + further).max(rows).min(named.len()));
     draft.set("states", line, Entry::Names(named.clone()))?;
     if !inputs.is_empty() {
         draft.set("inputs", line, Entry::Names(inputs.clone()))?;

@@ -1,11 +1,13 @@
-//! Matrices as JSON.
+//! Matrices as JSON. What a program adds that says nothing of the motion is passed over; a key that isn't known is told, since it may be
+//! a setting with a slip of the pen.
 
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use super::draft::{At, Draft, Entry, Problem};
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 struct Form {
     units: Option<String>,
     angles: Option<String>,
@@ -15,13 +17,26 @@ struct Form {
     u0: Option<f64>,
     alpha0_deg: Option<f64>,
     gamma0_deg: Option<f64>,
+    #[serde(alias = "title")]
     name: Option<String>,
+    #[serde(alias = "state_names")]
     states: Option<Vec<String>>,
+    #[serde(alias = "input_names")]
     inputs: Option<Vec<String>>,
     #[serde(rename = "A")]
     a: Option<Vec<Vec<f64>>>,
     #[serde(rename = "B")]
     b: Option<Vec<Vec<f64>>>,
+    #[serde(rename = "C")]
+    _c: IgnoredAny,
+    #[serde(rename = "D")]
+    _d: IgnoredAny,
+    #[serde(rename = "outputs", alias = "output_names")]
+    _outputs: IgnoredAny,
+    #[serde(rename = "description", alias = "comment")]
+    _description: IgnoredAny,
+    #[serde(rename = "source")]
+    _source: IgnoredAny,
 }
 
 pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
@@ -56,8 +71,14 @@ pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
     Ok(draft)
 }
 
-/// The reader's own words without its "at line 3 column 7": the line stands in front already.
+/// The reader's own words without its "at line 3 column 7", for the line stands in front already, and in words of people.
 fn said_by(error: &serde_json::Error) -> String {
     let text = error.to_string();
-    text.split(" at line ").next().unwrap_or_default().to_owned()
+    let text = text.split(" at line ").next().unwrap_or_default();
+    if let Some(key) = text.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next()) {
+        return format!(
+            "\"{key}\" is no key known here; expected units, angles, speed or u0, alpha0_deg, gamma0_deg, name, states, inputs, A and B"
+        );
+    }
+    text.replace("expected f64", "expected a number").replace("expected a sequence", "expected a list")
 }

@@ -10,28 +10,20 @@
 //! ```
 //!
 //! Rows may stand in brackets of their own, as in `np.array([[…], […]])`; a matrix may be a field, `P.A = […]`, or stand as the
-//! program printed it, `A =` and the rows below, `1.0e+03 *` before them. Statements about anything else are passed over.
+//! program printed it, `A =` and the rows below, `1.0e+03 *` before them, in parts headed `Columns 1 through 8`. Statements about
+//! anything else are passed over; one that changes an entry of a matrix is refused.
 
-use super::draft::{At, Draft, Entry, Problem, number, setting, setting_in_comment};
+use super::decimal_commas;
+use super::draft::{At, Draft, Entry, Problem, Rows, number, setting, setting_in_comment};
+use super::script_tokens::{Token, read_line};
 use crate::number::{significant, trimmed};
-
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Word(String),
-    Number(f64),
-    Text(String),
-    Symbol(char),
-    /// A minus sign in front of a name.
-    Minus,
-    /// The end of a line that goes on nowhere.
-    End,
-}
 
 /// The functions of Python, and that of Maple, that make a matrix of their argument.
 const MAKERS: [&str; 6] = ["array", "asarray", "matrix", "asmatrix", "mat", "Matrix"];
 
 pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
     let mut draft = Draft::default();
+    let text = &*decimal_commas::in_script(text);
     let (mut tokens, mut comments) = (Vec::new(), Vec::new());
     let (mut depth, mut in_docstring) = (0, false);
     for (line, text) in (1..).zip(text.lines()) {
@@ -57,8 +49,22 @@ pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
     let lines: Vec<&str> = text.lines().collect();
     let mut statements =
         Statements { tokens: &tokens, at: 0, lines: &lines, remarks: Vec::new(), numbers: Vec::new() };
-    while let Some((name, line)) = statements.next_assignment() {
-        if let Some(key) = setting(&name) {
+    while let Some(Statement { name, line, changes }) = statements.next_statement() {
+        let key = setting(&name);
+        if changes {
+            let problem = format!(
+                "{name} is changed here after it was given; nothing is computed, so give it as it is in the end"
+            );
+            if key.is_some_and(|key| draft.has(key)) {
+                return Err((line, problem));
+            }
+            if draft.strangers.iter().any(|(known, _)| *known == name) {
+                draft.changed.get_or_insert((line, problem));
+            }
+            statements.numbers.retain(|(known, _)| *known != name);
+            continue;
+        }
+        if let Some(key) = key {
             let entry = statements.value(key)?;
             if let Entry::Number(value) = entry {
                 statements.numbers.push((name, value));
@@ -67,13 +73,16 @@ pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
             continue;
         }
         let before = statements.at;
-        match statements.value(&name) {
+        let value = statements.value(&name);
+        // What is given again, or computed, is not what it was.
+        statements.numbers.retain(|(known, _)| *known != name);
+        draft.strangers.retain(|(known, _)| *known != name);
+        match value {
             Ok(Entry::Rows(value)) => draft.strangers.push((name, At { line, value })),
             Ok(Entry::Number(value)) => statements.numbers.push((name, value)),
-            // What is computed has no number here, and an earlier one of this name counts no more.
             _ => {
-                statements.numbers.retain(|(known, _)| *known != name);
                 statements.at = before;
+                statements.skip_statement();
             }
         }
     }
@@ -86,74 +95,12 @@ pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
     Ok(draft)
 }
 
-/// The tokens of one line, and the comment at its end.
-fn read_line<'t>(
+/// The beginning of a statement about a name.
+struct Statement {
+    name: String,
     line: usize,
-    text: &'t str,
-    tokens: &mut Vec<At<Token>>,
-) -> Result<Option<&'t str>, Problem> {
-    let mut rest = text;
-    let mut comment = None;
-    let mut push = |value| tokens.push(At { line, value });
-    // Whether a quote transposes what stands before it and a sign is an operation on it.
-    let mut after_operand = false;
-    while let Some(c) = rest.chars().next() {
-        let next_is_number =
-            rest[c.len_utf8()..].starts_with(|next: char| next.is_ascii_digit() || next == '.');
-        let length = if c == '%' || c == '#' {
-            comment = Some(&rest[1..]);
-            break;
-        } else if rest.starts_with("...") {
-            return Ok(None);
-        } else if c.is_whitespace() {
-            after_operand = false;
-            rest = &rest[c.len_utf8()..];
-            continue;
-        } else if c.is_ascii_digit()
-            || (c == '.' && next_is_number)
-            || (matches!(c, '+' | '-') && next_is_number && !after_operand)
-        {
-            let length = number_length(rest);
-            let found = &rest[..length];
-            push(Token::Number(
-                number(found).ok_or_else(|| (line, format!("expected a number, found \"{found}\"")))?,
-            ));
-            length
-        } else if c.is_alphabetic() {
-            let length = rest.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(rest.len());
-            push(Token::Word(rest[..length].to_owned()));
-            length
-        } else if matches!(c, '\'' | '"') && !(c == '\'' && after_operand) {
-            let end = rest[1..].find(c).ok_or_else(|| (line, "a text has no closing quote".to_owned()))?;
-            push(Token::Text(rest[1..=end].to_owned()));
-            end + 2
-        } else if c == '-' && !after_operand && rest[1..].starts_with(char::is_alphabetic) {
-            push(Token::Minus);
-            1
-        } else {
-            push(Token::Symbol(c));
-            c.len_utf8()
-        };
-        after_operand = !matches!(c, '[' | '{' | '(' | ',' | ';' | '=');
-        rest = &rest[length..];
-    }
-    push(Token::End);
-    Ok(comment)
-}
-
-/// A sign, digits with a point, an exponent: E, or the D of Fortran.
-fn number_length(text: &str) -> usize {
-    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
-    let signed = |at: usize| usize::from(text[at..].starts_with(['+', '-']));
-    let is_mantissa = |byte: &u8| byte.is_ascii_digit() || *byte == b'.';
-    let start = signed(0);
-    let mantissa = start + text[start..].bytes().take_while(is_mantissa).count();
-    if !text[mantissa..].starts_with(['e', 'E', 'd', 'D']) {
-        return mantissa;
-    }
-    let exponent = mantissa + 1 + signed(mantissa + 1);
-    let end = exponent + digits(exponent);
-    if end > exponent { end } else { mantissa }
+    /// Whether it changes what has the name, `A(3, 2) = …` or `A *= …`, and doesn't give it.
+    changes: bool,
 }
 
 struct Statements<'t> {
@@ -180,8 +127,8 @@ impl Statements<'_> {
         found
     }
 
-    /// Goes to the value of the next assignment; its name and line.
-    fn next_assignment(&mut self) -> Option<(String, usize)> {
+    /// Goes to the value of the next assignment, or past the beginning of one that changes something.
+    fn next_statement(&mut self) -> Option<Statement> {
         let (mut depth, mut at_start) = (0_i32, true);
         while let Some(token) = self.peek() {
             let line = self.line();
@@ -195,9 +142,16 @@ impl Statements<'_> {
                         self.at += 1;
                     }
                 }
-                let assigns = self.skip('=') && !self.skip('=');
-                if assigns {
-                    return Some((name, line));
+                if self.assigns(self.at) {
+                    self.at += 1;
+                    return Some(Statement { name, line, changes: false });
+                }
+                let operates = matches!(self.peek(), Some(Token::Symbol('+' | '-' | '*' | '/')));
+                let changed = if operates { Some(self.at + 1) } else { self.after_index() };
+                if let Some(at) = changed.filter(|&at| self.assigns(at)) {
+                    self.at = at + 1;
+                    self.skip_statement();
+                    return Some(Statement { name, line, changes: true });
                 }
                 at_start = false;
                 continue;
@@ -211,6 +165,42 @@ impl Statements<'_> {
             self.at += 1;
         }
         None
+    }
+
+    /// Whether a sign of assignment, and none of comparison, stands there.
+    fn assigns(&self, at: usize) -> bool {
+        let is = |at: usize| self.tokens.get(at).is_some_and(|token| token.value == Token::Symbol('='));
+        is(at) && !is(at + 1)
+    }
+
+    /// The place behind the brackets of an index, which begin here.
+    fn after_index(&self) -> Option<usize> {
+        let mut depth = 0_i32;
+        for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
+            match token.value {
+                Token::Symbol('[' | '{' | '(') => depth += 1,
+                Token::Symbol(']' | '}' | ')') => depth -= 1,
+                _ => {}
+            }
+            if depth <= 0 {
+                return (at > self.at).then_some(at + 1);
+            }
+        }
+        None
+    }
+
+    /// Goes to the end of a statement.
+    fn skip_statement(&mut self) {
+        let mut depth = 0_i32;
+        while let Some(token) = self.peek() {
+            match token {
+                Token::Symbol('[' | '{' | '(') => depth += 1,
+                Token::Symbol(']' | '}' | ')') => depth -= 1,
+                Token::End | Token::Symbol(';' | ',') if depth <= 0 => return,
+                _ => {}
+            }
+            self.at += 1;
+        }
     }
 
     /// The number of a token, or of a name with its sign; the place goes on past a name that a sign stands before.
@@ -234,6 +224,7 @@ impl Statements<'_> {
     fn value(&mut self, key: &str) -> Result<Entry, Problem> {
         let calls = self.skip_makers();
         let line = self.line();
+        let shape = if calls > 0 { self.shape_before() } else { None };
         let token = self.peek().cloned();
         self.at += 1;
         let entry = match token {
@@ -252,7 +243,10 @@ impl Statements<'_> {
             Some(Token::End) if calls == 0 => return self.printed(key, line),
             found => return Err((line, unexpected(key, found.as_ref()))),
         };
-        let entry = self.leave(calls, entry);
+        let mut entry = self.leave(calls, entry);
+        if let (Entry::Rows(rows), Some((m, n))) = (&entry, shape.or_else(|| self.shape_behind())) {
+            entry = Entry::Rows(reshaped(key, line, rows, m, n)?);
+        }
         match self.peek() {
             None | Some(Token::End | Token::Symbol(';' | ',')) => Ok(entry),
             found => Err((self.line(), unexpected(key, found))),
@@ -304,7 +298,42 @@ impl Statements<'_> {
         }
     }
 
-    /// A matrix as the program prints it: empty lines, perhaps `1.0e+03 *`, and rows of numbers.
+    /// The tokens here as numbers and signs, each number as its place in `pattern` that is a blank.
+    fn numbers_in(&mut self, pattern: &str) -> Option<Vec<usize>> {
+        let mut numbers = Vec::new();
+        let mut at = self.at;
+        for sign in pattern.chars() {
+            match &self.tokens.get(at)?.value {
+                Token::Number(x) if sign == ' ' && *x >= 1.0 && x.fract() == 0.0 => numbers.push(*x as usize),
+                Token::Symbol(c) if *c == sign => {}
+                _ => return None,
+            }
+            at += 1;
+        }
+        self.at = at;
+        Some(numbers)
+    }
+
+    /// Rows and columns in front of a flat list: `Matrix(4, 4, […])`.
+    fn shape_before(&mut self) -> Option<(usize, usize)> {
+        let numbers = self.numbers_in(" , ,")?;
+        Some((numbers[0], numbers[1]))
+    }
+
+    /// Rows and columns behind a flat list: `.reshape(4, 4)`.
+    fn shape_behind(&mut self) -> Option<(usize, usize)> {
+        let start = self.at;
+        let is_reshape = self.skip('.') && self.peek() == Some(&Token::Word("reshape".to_owned()));
+        self.at += usize::from(is_reshape);
+        let numbers =
+            if is_reshape { self.numbers_in("( , )").or_else(|| self.numbers_in("(( , ))")) } else { None };
+        if numbers.is_none() {
+            self.at = start;
+        }
+        numbers.map(|numbers| (numbers[0], numbers[1]))
+    }
+
+    /// A matrix as the program prints it: empty lines, perhaps `1.0e+03 *`, and rows of numbers, the columns in parts where it is wide.
     fn printed(&mut self, key: &str, line: usize) -> Result<Entry, Problem> {
         self.skip_ends();
         let mut scale = 1.0;
@@ -315,7 +344,48 @@ impl Statements<'_> {
             self.at += 2;
             self.skip_ends();
         }
-        let mut rows: Vec<At<Vec<f64>>> = Vec::new();
+        self.skip_title_of_columns();
+        let mut rows = self.printed_rows(scale);
+        let mut last_line = rows.last().map_or(line, |row| row.line);
+        loop {
+            let before = self.at;
+            self.skip_ends();
+            if !self.skip_title_of_columns() {
+                self.at = before;
+                break;
+            }
+            let title = self.line();
+            let part = self.printed_rows(scale);
+            if part.len() != rows.len() {
+                let problem =
+                    format!("{key}: expected {} rows in this part too, found {}", rows.len(), part.len());
+                return Err((title, problem));
+            }
+            last_line = part.last().map_or(last_line, |row| row.line);
+            for (row, part) in rows.iter_mut().zip(part) {
+                row.value.extend(part.value);
+            }
+        }
+        let Some(first) = rows.first() else {
+            return Err((line, unexpected(key, Some(&Token::End))));
+        };
+        self.remarks.extend(lost_digits(key, scale, &self.lines[first.line - 1..last_line]));
+        Ok(Entry::Rows(rows))
+    }
+
+    /// `Columns 1 through 8`, and the empty lines below it.
+    fn skip_title_of_columns(&mut self) -> bool {
+        let is_title =
+            matches!(self.peek(), Some(Token::Word(word)) if matches!(word.as_str(), "Columns" | "Column"));
+        if is_title {
+            self.skip_statement();
+            self.skip_ends();
+        }
+        is_title
+    }
+
+    fn printed_rows(&mut self, scale: f64) -> Rows {
+        let mut rows: Rows = Vec::new();
         while let Some(Token::Number(x)) = self.peek().cloned() {
             let line = self.line();
             match rows.last_mut() {
@@ -327,11 +397,7 @@ impl Statements<'_> {
                 self.at += 1;
             }
         }
-        let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
-            return Err((line, unexpected(key, Some(&Token::End))));
-        };
-        self.remarks.extend(lost_digits(key, scale, &self.lines[first.line - 1..last.line]));
-        Ok(Entry::Rows(rows))
+        rows
     }
 
     fn skip_ends(&mut self) {
@@ -422,6 +488,18 @@ impl Statements<'_> {
             }
         }
     }
+}
+
+/// A list of numbers as m rows of n.
+fn reshaped(key: &str, line: usize, list: &Rows, m: usize, n: usize) -> Result<Rows, Problem> {
+    let numbers: Vec<f64> = list.iter().flat_map(|row| row.value.iter().copied()).collect();
+    if m.checked_mul(n) != Some(numbers.len()) {
+        return Err((
+            line,
+            format!("{key}: expected {m} rows of {n} numbers, found {} numbers", numbers.len()),
+        ));
+    }
+    Ok(numbers.chunks(n).map(|row| At { line, value: row.to_vec() }).collect())
 }
 
 /// The sentence about a printed matrix whose digits are not all there: it has so many decimals times a scale.

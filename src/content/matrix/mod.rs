@@ -15,12 +15,14 @@
 //!
 //! An exact similarity turns the matrices read into the order, units and states of [`crate::flight`].
 
+mod decimal_commas;
 pub(super) mod draft;
 pub(super) mod form_bare;
 pub(super) mod form_csv;
 pub(super) mod form_json;
 pub(super) mod form_matlab;
 pub(super) mod names;
+mod script_tokens;
 pub(super) mod state_names;
 
 use super::aircraft::{Aircraft, ContentError};

@@ -1,0 +1,128 @@
+//! Which matrix of a file is A and which B, where they have other names: `F` and `G`, or `A_lon` and `A_lat` of the two planes.
+
+use super::naming;
+use super::sheet::Sheet;
+use crate::content::matrix::draft::{At, Draft, Entry, Problem, Rows};
+
+/// A and B where the file calls them something else: the only square matrix, and the only other one with as many rows; or the two planes
+/// of an aircraft, each with its B.
+pub(super) fn find(sheet: &mut Sheet, draft: &mut Draft) -> Result<(), Problem> {
+    let strangers = std::mem::take(&mut draft.strangers);
+    if draft.has("A") {
+        return Ok(());
+    }
+    if let Some(problem) = draft.changed.take() {
+        return Err(problem);
+    }
+    let is_square =
+        |rows: &[At<Vec<f64>>]| rows.len() >= 3 && rows.iter().all(|row| row.value.len() == rows.len());
+    let mut squares: Vec<&(String, At<Rows>)> =
+        strangers.iter().filter(|(_, rows)| is_square(&rows.value)).collect();
+    // C, Q and the like may be square, too.
+    if squares.len() > 1 && squares.iter().any(|(name, _)| name.starts_with(['A', 'a'])) {
+        squares.retain(|(name, _)| name.starts_with(['A', 'a']));
+    }
+    let inputs_of = |n: usize, (name, _): &(String, At<Rows>)| {
+        let named: String =
+            [if name.starts_with('a') { 'b' } else { 'B' }].into_iter().chain(name.chars().skip(1)).collect();
+        let fits = |rows: &Rows| {
+            let columns = rows.first().map_or(0, |row| row.value.len());
+            rows.len() == n && (1..n).contains(&columns) && rows.iter().all(|row| row.value.len() == columns)
+        };
+        let mut others = strangers.iter().filter(|(_, rows)| fits(&rows.value));
+        let by_name = others.clone().find(|(other, _)| name.starts_with(['A', 'a']) && *other == named);
+        by_name.or_else(|| others.next().filter(|_| squares.len() == 1 && others.next().is_none()))
+    };
+    match squares.as_slice() {
+        [only] => {
+            let (name, rows) = *only;
+            let line = rows.line;
+            draft.set("A", line, Entry::Rows(rows.value.clone()))?;
+            sheet.remark(format!("{name} is read as A: it is the only square matrix that can be it."));
+            let n = rows.value.len();
+            if let (false, Some((name, rows))) = (draft.has("B"), inputs_of(n, only)) {
+                draft.set("B", rows.line, Entry::Rows(rows.value.clone()))?;
+                sheet.remark(format!("{name} is read as B: it has as many rows."));
+            }
+            Ok(())
+        }
+        [first, second] if !draft.has("B") => {
+            let planes = [first, second].map(|square| {
+                let rows: Vec<Vec<f64>> = square.1.value.iter().map(|row| row.value.clone()).collect();
+                let names = naming::guess(&rows).filter(|_| rows.len() == 4);
+                (names, inputs_of(4, square))
+            });
+            let are_both = |one: usize, other: usize| {
+                let begins = |k: usize, is: bool| {
+                    planes[k].0.as_ref().is_some_and(|names| names.starts_with("u ") == is)
+                };
+                begins(one, true) && begins(other, false)
+            };
+            if !(are_both(0, 1) || are_both(1, 0)) {
+                return Err(several(&squares));
+            }
+            both_planes(sheet, draft, [first, second], planes)
+        }
+        [] => Ok(()),
+        _ => Err(several(&squares)),
+    }
+}
+
+/// The sentence about matrices of which one could be A.
+fn several(squares: &[&(String, At<Rows>)]) -> Problem {
+    let names: Vec<&str> = squares.iter().map(|(name, _)| name.as_str()).collect();
+    let line = squares.first().map_or(1, |(_, rows)| rows.line);
+    (line, format!("{} could each be A; give the one that is meant the name A", names.join(" and ")))
+}
+
+/// A of both planes, which nothing couples: one matrix with the two on its diagonal, and B likewise.
+fn both_planes(
+    sheet: &mut Sheet,
+    draft: &mut Draft,
+    squares: [&(String, At<Rows>); 2],
+    planes: [(Option<String>, Option<&(String, At<Rows>)>); 2],
+) -> Result<(), Problem> {
+    let line = squares[0].1.line;
+    let (mut a, mut b): (Rows, Rows) = (Vec::new(), Vec::new());
+    let (mut states, mut inputs) = (Vec::new(), Vec::new());
+    let columns: Vec<usize> =
+        planes.iter().map(|(_, b)| b.map_or(0, |(_, rows)| rows.value[0].value.len())).collect();
+    for (k, ((_, rows), (names, of_inputs))) in squares.into_iter().zip(&planes).enumerate() {
+        states.extend(names.iter().flat_map(|names| names.split(' ')).map(str::to_owned));
+        let is_longitudinal = states[4 * k] == "u";
+        let usual = if is_longitudinal { ["elevator", "throttle"] } else { ["aileron", "rudder"] };
+        let Some(usual) = usual.get(..columns[k]) else {
+            let problem =
+                format!("B: expected at most two columns beside {}, found {}", squares[k].0, columns[k]);
+            return Err((line, problem));
+        };
+        inputs.extend(usual.iter().map(|&name| name.to_owned()));
+        let spread = |row: &[f64], before: usize, all: usize| {
+            let mut spread = vec![0.0; all];
+            spread[before..before + row.len()].copy_from_slice(row);
+            spread
+        };
+        for i in 0..4 {
+            let row = &rows.value[i];
+            a.push(At { line: row.line, value: spread(&row.value, 4 * k, 8) });
+            let of_inputs = of_inputs.map_or(&[][..], |(_, rows)| &rows.value[i].value);
+            let before = if k == 0 { 0 } else { columns[0] };
+            b.push(At { line: row.line, value: spread(of_inputs, before, columns.iter().sum()) });
+        }
+    }
+    let [first, second] = squares.map(|(name, _)| name.as_str());
+    sheet.remark(format!(
+        "{first} and {second} are read as the two planes of one aircraft, with the states {} and the inputs {}: that is what their rows look \
+         like, and the usual order.",
+        states.join(", "),
+        if inputs.is_empty() { "none".to_owned() } else { inputs.join(", ") }
+    ));
+    draft.set("A", line, Entry::Rows(a))?;
+    if !inputs.is_empty() {
+        draft.set("B", line, Entry::Rows(b))?;
+        if !draft.has("inputs") {
+            draft.set("inputs", line, Entry::Names(inputs))?;
+        }
+    }
+    if draft.has("states") { Ok(()) } else { draft.set("states", line, Entry::Names(states)) }
+}
