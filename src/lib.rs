@@ -15,6 +15,7 @@
 //! | module | in one line | knows nothing of |
 //! |---|---|---|
 //! | [`number`] | numbers as a person reads them | everything |
+//! | [`few`] | sorting of a few values, in few bytes | everything |
 //! | [`key`] | names of values for programs: files, links, requests, answers | everything |
 //! | [`flight`] | the mathematics: numbers in, numbers out | files, clock, egui, web, log, globals |
 //! | [`shape`] | what an aircraft looks like: faces lofted from its geometry, in the order to draw them | files, colours, screens |
@@ -51,6 +52,7 @@
 
 pub mod content;
 pub mod export;
+pub mod few;
 pub mod findings;
 pub mod flight;
 pub mod key;

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use eigenwing::content::FILES;
 use eigenwing::content::import::review::Review;
 use eigenwing::content::import::{FileBytes, review};
+use eigenwing::export::{DisturbanceRequest, Source, Subject, take_along};
 use eigenwing::flight::aircraft::plane::{Plane, PlaneModel};
+use eigenwing::key::Keyed as _;
 use nalgebra::Matrix4;
 
 const ROWS: [[f64; 4]; 4] = [
@@ -112,7 +115,7 @@ fn forms_that_people_write_are_read_to_the_last_digit() {
                 rows(",", "],[")
             ),
         ),
-        ("beside.m", format!("{HEAD}Alon = {A};\nC = [1 0 0 0;0 1 0 0;0 0 1 0;0 0 0 1];\n")),
+        ("beside.m", format!("{HEAD}Alon = {A};\nC = [1 0 0 0;0 1 0 0;0 0 1 0;0 0 0 1];\nC(4, 4) = 0;\n")),
         ("changed-other.m", format!("{HEAD}A = {A};\nQ = [1 0 0; 0 1 0; 0 0 1];\nQ(1, 1) = 100;\nif A(1, 1) == 0, disp('x'), end\n")),
     ];
     for (name, text) in &texts {
@@ -288,4 +291,34 @@ fn eigenvalues_that_are_zero_but_for_rounding_are_zero() {
         .map(f64::abs)
         .fold(f64::INFINITY, f64::min);
     assert!(least > 1e-6, "{values:?}");
+}
+
+/// What is taken along can be brought back, from a paper too, to the digits that stand in it.
+#[test]
+fn scripts_notebooks_and_papers_of_this_program_are_read_again() {
+    let mut compared = 0;
+    for (file, _) in FILES {
+        for plane in Plane::ALL {
+            let link = format!("#v=1&ac={}&plane={}", file.trim_end_matches(".toml"), plane.key());
+            let scene = Subject { source: Source::Link(link.clone()), ..Subject::listed("") }
+                .scene()
+                .expect("a scene");
+            let models = scene.scenario.aircraft.aircraft_model.models().expect("it flies");
+            let Some(flown) = &models.planes[plane] else { continue };
+            for (target, name, digits) in [
+                ("python", "a.py", 1e-15),
+                ("matlab", "a.m", 1e-15),
+                ("notebook", "a.ipynb", 1e-15),
+                ("latex", "a.tex", 5e-4),
+            ] {
+                let text = take_along(&scene, target, &DisturbanceRequest::default()).expect("a file").text;
+                let again = model(name, &text, plane);
+                let off =
+                    (again.a - flown.a).zip_map(&flown.a, |off, a| off.abs() / a.abs().max(1e-6)).amax();
+                assert!(off <= digits, "{link} {target}: {off}\n{}\n{}", again.a, flown.a);
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 100, "{compared}");
 }

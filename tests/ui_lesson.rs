@@ -460,15 +460,29 @@ at_least = "1.5 × start"
 ```
 "##;
     let mut harness = page(WIDE);
-    drop_file(&mut harness, "goal.md", goal.as_bytes());
-    for value in ["-0.8", "-2", "-0.9"] {
-        type_into(&mut harness, "pitch stiffness C_mα, typed", value);
+    for size in [PHONE, WIDE] {
+        harness = page(size);
+        drop_file(&mut harness, "goal.md", goal.as_bytes());
+        let has_tabs = harness.query_by_label("Derivatives").is_some();
+        if has_tabs {
+            // The task is out of sight while its slider is moved.
+            click(&mut harness, "Derivatives");
+        }
+        for value in ["-0.8", "-2"] {
+            type_into(&mut harness, "pitch stiffness C_mα, typed", value);
+        }
+        assert_eq!(
+            count(&harness, "Done: the goal of this step is reached"),
+            usize::from(has_tabs),
+            "{size}"
+        );
+        type_into(&mut harness, "pitch stiffness C_mα, typed", "-0.9");
+        let records = Records::read(&stored(&mut harness)).expect("records");
+        let record = &records.lessons["goal.md"];
+        let place = Place { step: 0, part: 0 };
+        assert!(record.answers.get(place).is_some_and(|given| given.reached), "{size}");
+        assert!(record.scenes[&place].contains("cm_alpha=-2"), "{:?}", record.scenes);
     }
-    let records = Records::read(&stored(&mut harness)).expect("records");
-    let record = &records.lessons["goal.md"];
-    let place = Place { step: 0, part: 0 };
-    assert!(record.answers.get(place).is_some_and(|given| given.reached));
-    assert!(record.scenes[&place].contains("cm_alpha=-2"), "{:?}", record.scenes);
     // Nobody is greeted who has begun.
     harness.state_mut().as_mut().expect("the page").greet();
     harness.run();

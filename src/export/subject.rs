@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::error::ExportError;
 use super::scene::Scene;
 use crate::content::{Aircraft, FILES, MatrixFormat};
+use crate::few;
 use crate::flight::verdicts::task::Task;
 use crate::key::{Keyed, nearest};
 use crate::number::significant;
@@ -77,7 +78,7 @@ impl Subject {
             .iter()
             .map(|(key, value)| Ok((find_parameter(key)?, *value)))
             .collect::<Result<Vec<_>, ExportError>>()?;
-        settings.sort_by_key(|(parameter, _)| parameters().position(|p| p.key == parameter.key));
+        few::sort_by_key(&mut settings, |(parameter, _)| parameters().position(|p| p.key == parameter.key));
         for (parameter, value) in settings {
             let value = checked(scenario, parameter, value)?;
             if parameter.is_of_disturbance() && value != parameter.get(scenario) {

@@ -1,5 +1,6 @@
 //! How strongly each parameter of a page moves each mode.
 
+use crate::few;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::sensitivity::{Sensitivity, sensitivity};
@@ -57,6 +58,6 @@ pub fn by_strength(rows: &[RowSensitivity], index: usize) -> Vec<&'static str> {
         .map(|row| (row.key, strength(row).unwrap_or(f64::MAX)))
         .filter(|(_, strength)| *strength > STILL)
         .collect();
-    moving.sort_by(|a, b| b.1.total_cmp(&a.1));
+    few::sort_by(&mut moving, |a, b| b.1.total_cmp(&a.1));
     moving.into_iter().map(|(key, _)| key).collect()
 }

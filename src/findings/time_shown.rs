@@ -1,6 +1,7 @@
 //! The time shown: as long as the slowest mode that the disturbance makes visible takes to be seen.
 
 use super::Findings;
+use crate::few;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::feedback::loop_response::respond_closed;
 use crate::flight::modes::mode::Mode;
@@ -95,7 +96,7 @@ impl Findings {
                 return modes.get(choice.mode).or(modes.last()).map(seen_in);
             }
             let mut lengths: Vec<(usize, f64)> = modes.iter().map(length).enumerate().collect();
-            lengths.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+            few::sort_by(&mut lengths, |(_, a), (_, b)| b.total_cmp(a));
             // Turbulence has something for every mode.
             let all = choice.source == Source::Turbulence;
             let seen = |&(i, length): &(usize, f64)| all || self.shows(i, length);

@@ -1,5 +1,6 @@
 //! An answer compared with what the model does.
 
+use crate::few;
 use nalgebra::Complex;
 use serde::{Deserialize, Serialize};
 
@@ -167,7 +168,7 @@ impl Comparison {
     /// Of an order with the values of the things.
     pub fn of_order(answer: &[usize], values: &[f64]) -> Self {
         let mut right: Vec<usize> = (0..values.len()).collect();
-        right.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        few::sort_by(&mut right, |&a, &b| values[a].total_cmp(&values[b]));
         Self::Order(right.iter().enumerate().map(|(place, thing)| answer.get(place) == Some(thing)).collect())
     }
 

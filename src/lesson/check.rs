@@ -13,6 +13,7 @@ use super::task::{Task, Wanted};
 use super::text::{Target, Text, What};
 use super::varied;
 use crate::content::{Aircraft, ContentError};
+use crate::few;
 use crate::findings::Findings;
 use crate::findings::measures::Reading;
 use crate::flight::motion::outputs::Output;
@@ -38,7 +39,7 @@ impl Lesson {
                 }
             }
         }
-        errors.sort_by_key(|error| error.line);
+        few::sort_by_key(&mut errors, |error| error.line);
         errors
     }
 
@@ -49,7 +50,7 @@ impl Lesson {
         }
         self.steps.iter().for_each(|step| check.step(step));
         let mut errors = check.errors;
-        errors.sort_by_key(|error| error.line);
+        few::sort_by_key(&mut errors, |error| error.line);
         errors.dedup();
         errors
     }

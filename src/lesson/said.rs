@@ -9,6 +9,7 @@ use super::prediction::{Kind, Prediction};
 use super::sketch::{Direction, End, Features};
 use super::task::{SolutionAfter, Task, Wanted};
 use super::truth::Truth;
+use crate::few;
 use crate::findings::measures::Measure;
 use crate::number::{significant, trimmed};
 use crate::scenario::Convention;
@@ -142,7 +143,7 @@ pub fn truth(prediction: &Prediction, truth: &Truth, convention: Convention) -> 
         (Truth::Curve { values, .. }, _) => curve(values),
         (Truth::Values(values), Kind::Order { items, measure, .. }) => {
             let mut order: Vec<usize> = (0..items.len().min(values.len())).collect();
-            order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+            few::sort_by(&mut order, |&a, &b| values[a].total_cmp(&values[b]));
             joined(order.iter().map(|&number| {
                 format!(
                     "{} ({})",

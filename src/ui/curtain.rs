@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use egui::{Context, Id, Response, Ui};
 
+use crate::few;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
 use crate::scenario::{Hidden, Lock, Parameter, Stage};
@@ -187,6 +188,6 @@ fn id() -> Id {
 
 fn by_size(modes: &[Mode]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..modes.len()).collect();
-    order.sort_by(|a, b| modes[*b].lambda.norm().total_cmp(&modes[*a].lambda.norm()));
+    few::sort_by(&mut order, |a, b| modes[*b].lambda.norm().total_cmp(&modes[*a].lambda.norm()));
     order
 }

@@ -119,6 +119,9 @@ pub const LOCKED: &str = "Locked in this scene";
 /// A file that was dropped on a page in a frame that stays with what was opened on it.
 pub const KEPT: &str = "In this frame no other lesson can be opened";
 
+/// The goal of a task was reached while its lesson was out of sight.
+pub const REACHED: &str = "✓ Done: the goal of this step is reached";
+
 /// A link was copied that has no room for the aircraft.
 pub const TOO_LONG_FOR_A_LINK: &str = "Link copied, without your aircraft: it is too long for a link. Elsewhere it opens after its \
     file, which Take along (X) saves";

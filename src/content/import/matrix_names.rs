@@ -11,9 +11,11 @@ pub(super) fn find(sheet: &mut Sheet, draft: &mut Draft) -> Result<(), Problem> 
     if draft.has("A") {
         return Ok(());
     }
-    if let Some(problem) = draft.changed.take() {
-        return Err(problem);
-    }
+    let changed = std::mem::take(&mut draft.changed);
+    let as_given = |(name, rows): &(String, At<Rows>)| match changed.iter().find(|(other, _)| other == name) {
+        Some((_, problem)) => Err(problem.clone()),
+        None => Ok(At { line: rows.line, value: rows.value.clone() }),
+    };
     let is_square =
         |rows: &[At<Vec<f64>>]| rows.len() >= 3 && rows.iter().all(|row| row.value.len() == rows.len());
     let mut squares: Vec<&(String, At<Rows>)> =
@@ -35,14 +37,14 @@ pub(super) fn find(sheet: &mut Sheet, draft: &mut Draft) -> Result<(), Problem> 
     };
     match squares.as_slice() {
         [only] => {
-            let (name, rows) = *only;
-            let line = rows.line;
-            draft.set("A", line, Entry::Rows(rows.value.clone()))?;
-            sheet.remark(format!("{name} is read as A: it is the only square matrix that can be it."));
-            let n = rows.value.len();
-            if let (false, Some((name, rows))) = (draft.has("B"), inputs_of(n, only)) {
-                draft.set("B", rows.line, Entry::Rows(rows.value.clone()))?;
-                sheet.remark(format!("{name} is read as B: it has as many rows."));
+            let At { line, value } = as_given(only)?;
+            let n = value.len();
+            draft.set("A", line, Entry::Rows(value))?;
+            sheet.remark(format!("{} is read as A: it is the only square matrix that can be it.", only.0));
+            if let (false, Some(found)) = (draft.has("B"), inputs_of(n, only)) {
+                let At { line, value } = as_given(found)?;
+                draft.set("B", line, Entry::Rows(value))?;
+                sheet.remark(format!("{} is read as B: it has as many rows.", found.0));
             }
             Ok(())
         }
@@ -60,6 +62,9 @@ pub(super) fn find(sheet: &mut Sheet, draft: &mut Draft) -> Result<(), Problem> 
             };
             if !(are_both(0, 1) || are_both(1, 0)) {
                 return Err(several(&squares));
+            }
+            for used in [Some(*first), Some(*second), planes[0].1, planes[1].1].into_iter().flatten() {
+                as_given(used)?;
             }
             both_planes(sheet, draft, [first, second], planes)
         }

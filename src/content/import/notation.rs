@@ -72,7 +72,7 @@ fn notebook(text: &str) -> String {
 }
 
 /// `\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}`, with what is called so before it: `\mathbf{A} =`. Without a name of its own a square is
-/// A, and what is no square B, as in ẋ = […] x + […] δ; what isn't all numbers is a vector of names.
+/// A, and what is no square B, as in ẋ = […] x + […] δ; what has no number is a vector of names.
 fn latex(text: &str) -> String {
     let mut plain = String::new();
     let mut rest = text;
@@ -94,7 +94,7 @@ fn latex(text: &str) -> String {
         }
         let rows = latex_rows(inner);
         let cells = || rows.iter().flat_map(|row| row.split_whitespace());
-        if cells().all(|cell| number(cell).is_some()) {
+        if cells().any(|cell| number(cell).is_some()) {
             let is_square = rows.iter().all(|row| row.split_whitespace().count() == rows.len());
             let name = latex_name(before).unwrap_or(if is_square { 'A' } else { 'B' });
             plain.push_str(&format!("\n{name} = [{}];", rows.join(";")));
@@ -114,6 +114,9 @@ fn latex_rows(inner: &str) -> Vec<String> {
         line[..end.unwrap_or(line.len())].to_owned()
     };
     let text = inner.lines().map(without_comment).collect::<Vec<_>>().join(" ");
+    let times = ["\\cdot", "\\times"]
+        .map(|sign| [format!(" {sign} 10^{{"), format!("{sign} 10^{{"), format!("{sign}10^{{")]);
+    let text = times.iter().flatten().fold(text, |text, times| text.replace(times, "e"));
     let text = text
         .replace("\\\\", ";")
         .replace("{,}", ".")

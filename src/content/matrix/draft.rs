@@ -52,8 +52,8 @@ pub(in crate::content) struct Draft {
     entries: Vec<(&'static str, At<Entry>)>,
     /// Matrices under names that mean nothing here, as `F = [ … ]`.
     pub strangers: Vec<(String, At<Rows>)>,
-    /// Where the first of those is changed after it was given, which matters only if it is A or B.
-    pub changed: Option<Problem>,
+    /// Those that are changed after they were given, which matters only of what is A or B.
+    pub changed: Vec<(String, Problem)>,
     /// What a reader of the matrices must know, such as digits that were not printed.
     pub remarks: Vec<String>,
 }

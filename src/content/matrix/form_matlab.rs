@@ -59,7 +59,7 @@ pub(in crate::content) fn read(text: &str) -> Result<Draft, Problem> {
                 return Err((line, problem));
             }
             if draft.strangers.iter().any(|(known, _)| *known == name) {
-                draft.changed.get_or_insert((line, problem));
+                draft.changed.push((name.clone(), (line, problem)));
             }
             statements.numbers.retain(|(known, _)| *known != name);
             continue;

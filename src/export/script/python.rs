@@ -1,7 +1,7 @@
 //! A script for python-control: the model from its numbers, its modes, the motion on screen, and a comparison with our own numbers.
 
 use super::study::{Course, Driven, Entering, FrequencyStudy, MotionStudy, Study, WholeStudy};
-use super::text::{list, matrix, number, quoted, row};
+use super::text::{list, matrix, number, quoted, row, settings};
 use crate::export::plane::WholeReport;
 use crate::flight::motion::inputs::Input;
 
@@ -59,6 +59,7 @@ fn model(study: &Study) -> String {
         "import control as ct\nimport matplotlib.pyplot as plt\nimport numpy as np\n\
          from scipy.integrate import solve_ivp\nfrom scipy.linalg import expm\n\n",
     );
+    text += &settings(&study.settings, "#");
     text += &format!("A = np.array({}, dtype=float)\n", matrix(&report.a));
     text += &format!("B = np.array({}, dtype=float)\n", matrix(&report.b));
     text += &format!("states = {}\ninputs = {}\n", quoted(&report.states), quoted(&report.inputs));

@@ -33,3 +33,8 @@ pub fn quoted(words: &[&str]) -> String {
     let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
     format!("[{}]", words.join(", "))
 }
+
+/// Settings as comments behind a mark, a line each: the importer of matrices reads them.
+pub fn settings(settings: &[(&str, String)], mark: &str) -> String {
+    settings.iter().map(|(key, value)| format!("{mark} {key}: {value}\n")).collect()
+}

@@ -3,6 +3,7 @@
 use super::formula::{Formula, Measured, with_change};
 use super::path::{Part, parts_along};
 use super::subject::{Moved, Side, Subject};
+use crate::few;
 use crate::findings::Findings;
 use crate::flight::aircraft::states::Lateral::{Phi, V};
 use crate::flight::modes::mode::Mode;
@@ -177,7 +178,7 @@ fn kind(subject: Subject, sides: [Side<'_>; 2], parts: Option<Vec<Part>>) -> Kin
     let causes = |of: fn(&Part) -> f64| {
         let mut causes: Vec<Cause> =
             parts.as_ref()?.iter().map(|part| Cause { moved: part.moved, part: of(part) }).collect();
-        causes.sort_by(|a, b| b.part.abs().total_cmp(&a.part.abs()));
+        few::sort_by(&mut causes, |a, b| b.part.abs().total_cmp(&a.part.abs()));
         Some(causes)
     };
     match subject {

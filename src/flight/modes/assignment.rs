@@ -1,5 +1,6 @@
 //! The assignment of families of modes to modes, by their shapes.
 
+use crate::few;
 use smallvec::SmallVec;
 
 use super::mode_name::UnnamedMode;
@@ -12,7 +13,7 @@ pub(super) fn best_assignment<F: Copy>(
     fit: impl Fn(&UnnamedMode, F) -> f64,
 ) -> SmallVec<[F; 4]> {
     let mut order: SmallVec<[usize; 4]> = (0..modes.len()).collect();
-    order.sort_by_key(|&i| !modes[i].oscillates());
+    few::sort_by_key(&mut order, |&i| !modes[i].oscillates());
     let sum = |row: &[F]| order.iter().zip(row).map(|(&i, &family)| fit(&modes[i], family)).sum::<f64>();
     let mut best: Option<(f64, &[F])> = None;
     for row in table {
@@ -23,6 +24,6 @@ pub(super) fn best_assignment<F: Copy>(
     }
     let row = best.map_or(&[][..], |(_, row)| row);
     let mut families: SmallVec<[(usize, F); 4]> = order.into_iter().zip(row.iter().copied()).collect();
-    families.sort_by_key(|&(i, _)| i);
+    few::sort_by_key(&mut families, |&(i, _)| i);
     families.into_iter().map(|(_, family)| family).collect()
 }

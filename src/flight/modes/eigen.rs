@@ -8,6 +8,7 @@
 //!
 //! Sources: Golub & Van Loan, *Matrix Computations*, 4th ed. (GVL), §7; LAPACK routine names beside the functions.
 
+use crate::few;
 use nalgebra::{Complex, DefaultAllocator, OMatrix, OVector, U1, U4};
 
 use super::schur::{Room, Size, Square, power_of_two, schur, triangle};
@@ -105,7 +106,7 @@ where
     let (q, h) = schur(b / balanced_scale).ok_or(EigenError::NotConverged)?;
     let (_, t) = triangle(&q, &h);
     let mut diagonal = t.diagonal();
-    diagonal.as_mut_slice().sort_by(|x, y| y.norm().total_cmp(&x.norm()));
+    few::sort_by(diagonal.as_mut_slice(), |x, y| y.norm().total_cmp(&x.norm()));
     let values = diagonal.map(|value| value * balanced_scale * scale + Complex::from(0.0));
     let finite = |value: &Complex<f64>| value.re.is_finite() && value.im.is_finite();
     if values.iter().all(finite) { Ok(values) } else { Err(EigenError::NotFinite) }
@@ -250,7 +251,7 @@ where
     let (rows, columns) = a.shape_generic();
     let mut places = OVector::<usize, N>::from_fn_generic(rows, U1, |i, _| i);
     // The sort is stable and |λ| = |λ̄| to the bit, so pairs stay together.
-    places.as_mut_slice().sort_by(|&i, &j| t[(j, j)].norm().total_cmp(&t[(i, i)].norm()));
+    few::sort_by(places.as_mut_slice(), |&i, &j| t[(j, j)].norm().total_cmp(&t[(i, i)].norm()));
     let mut solved = Eigen {
         values: places.map(|k| t[(k, k)] * scale),
         right: OMatrix::zeros_generic(rows, columns),

@@ -10,6 +10,7 @@ use super::mode_name::{Amplitudes, Naming, UnnamedMode};
 use super::naming::name_modes;
 use super::schur::{Room, Size};
 use super::stability::{Stability, dynamic_stability};
+use crate::few;
 use crate::flight::aircraft::plane::{Plane, PlaneModel, Trim};
 use crate::flight::aircraft::states::State;
 
@@ -141,7 +142,7 @@ fn named_modes(plane: Plane, a: &Matrix4<f64>, trim: Option<&Trim>) -> Result<Ve
             stability: mode.stability,
         })
         .collect();
-    modes.sort_by_key(|mode| mode.naming.name);
+    few::sort_by_key(&mut modes, |mode| mode.naming.name);
     Ok(modes)
 }
 

@@ -4,6 +4,7 @@
 //! Press et al., *Numerical Recipes*, 3rd ed., §9.5). Whatever factors it comes to, their roots are those of the polynomial. Where a
 //! root of one factor meets one of the other it doesn't settle, and there is no answer: that is for [`eigenvalues`](super::eigen).
 
+use crate::few;
 use std::ops::Range;
 
 use nalgebra::{Complex, Matrix4};
@@ -58,7 +59,7 @@ pub(super) fn roots_near(a: &Matrix4<f64>, guess: &[Complex<f64>; 4]) -> Option<
         if found_d && rest_e.abs() <= FOUND * (e.abs() + c1.abs() * terms) {
             let ([x, y], [z, w]) = (quadratic_roots(b1, c1), quadratic_roots(b2, c2));
             let mut roots = [x, y, z, w];
-            roots.sort_by(|x, y| y.norm_sqr().total_cmp(&x.norm_sqr()));
+            few::sort_by(&mut roots, |x, y| y.norm_sqr().total_cmp(&x.norm_sqr()));
             return Some(roots);
         }
         // [c₂ − c₁ + b₁(b₁ − b₂), b₂ − b₁; c₁(b₁ − b₂), c₂ − c₁] [Δb₁; Δc₁] = [rest of D; rest of E]

@@ -8,6 +8,7 @@ use nalgebra::Vector4;
 use super::outputs::OutputRow;
 use super::response::{DrivenSystem, Place, Step};
 use super::small_disturbance::is_small;
+use crate::few;
 use crate::flight::aircraft::plane::PlaneModel;
 use crate::flight::modes::mode::Mode;
 
@@ -221,7 +222,7 @@ impl<'a> Course<'a> {
                 break;
             }
             points.push(at(t));
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            few::sort_by(&mut points, |a, b| a.0.total_cmp(&b.0));
             // The largest with its neighbours.
             points.remove(if largest(&points) <= 1 { 3 } else { 0 });
         }

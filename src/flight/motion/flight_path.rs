@@ -15,6 +15,7 @@ use super::response::{CUT_LIMIT, MOST_STEPS, TimeGrid};
 use super::rigid_body::{Attitude, State};
 use super::servos::{Asked, Bites, Moment, OWN, Servos, Way};
 use super::six_dof::{Inputs, SixDof, Wind};
+use crate::few;
 use crate::flight::aircraft::plane::Plane;
 
 /// Steps of integration beyond these are not tried.
@@ -214,7 +215,7 @@ impl<'a, const N: usize> Flying<'a, N> {
         for bite in &mut self.path.bites {
             bite.until = bite.until.min(end);
         }
-        self.path.bites.sort_by(|a, b| a.from.total_cmp(&b.from));
+        few::sort_by(&mut self.path.bites, |a, b| a.from.total_cmp(&b.from));
         self.path
     }
 

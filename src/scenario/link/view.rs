@@ -11,6 +11,7 @@ use super::super::{Hidden, Lock, Page, Parameter, Part, Quantity, Scenario, Stag
 use super::notice::Notice;
 use super::pieces::Pieces;
 use super::words;
+use crate::few;
 use crate::flight::Channel;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::outputs::Output;
@@ -148,7 +149,9 @@ impl ResponseView {
             let key = |key| format!("{}.{key}", plane.short());
             if let Some(mut shown) = pieces.take_as(&key("show"), |text| outputs(plane, text)) {
                 // In the order of the page, whatever the order of the link.
-                shown.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
+                few::sort_by_key(&mut shown, |output| {
+                    Output::of(plane).iter().position(|other| other == output)
+                });
                 shown.dedup();
                 self.shown[plane] = shown;
             }

@@ -7,6 +7,7 @@ use super::course::{CourseState, FileRequest, LessonPane};
 use crate::content::TextFile;
 use crate::export::ReportSource;
 use crate::lesson::{Course, Records};
+use crate::words;
 
 /// Name of the file of a report.
 const REPORT: &str = "eigenwing-report.html";
@@ -62,14 +63,19 @@ impl App {
         }
         // Taken out, so that the scene can be asked for.
         let mut pane = std::mem::take(&mut self.panes.lesson);
+        let mut is_reached = false;
         if let LessonPane::Open(session) = &mut pane {
-            session.keep_scene(&self.findings, &self.aircraft, || self.link_of_scene(&self.view));
+            is_reached =
+                session.keep_scene(&self.findings, &self.aircraft, || self.link_of_scene(&self.view));
             if self.records.lessons.get(session.address()) != Some(session.record()) {
                 self.records.lessons.insert(session.address().to_owned(), session.record().clone());
                 self.records_changed = true;
             }
         }
         self.panes.lesson = pane;
+        if is_reached {
+            self.share.show(ui, words::view::REACHED);
+        }
     }
 
     /// Has the report saved.

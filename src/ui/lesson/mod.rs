@@ -222,22 +222,41 @@ impl Session {
         &self.record
     }
 
-    /// Keeps the scene of each task of the step: the last that met its goal, and until there is one the last that was tried.
-    pub fn keep_scene(&mut self, now: &Findings, aircraft: &[Arc<Aircraft>], link: impl Fn() -> String) {
+    /// Keeps the scene of each task of the step: the last that met its goal, and until there is one the last that was tried. Whether one
+    /// is reached now that wasn't: where the pane is drawn that is noted there, but on a phone another may be in its place.
+    pub fn keep_scene(
+        &mut self,
+        now: &Findings,
+        aircraft: &[Arc<Aircraft>],
+        link: impl Fn() -> String,
+    ) -> bool {
         self.tell_as(now.scenario());
         if now.scenario() == self.start.scenario() {
-            return;
+            return false;
         }
+        let mut is_open = !self.waits_for_name();
+        let mut is_new = false;
         let step = self.record.step;
         let parts = self.lesson.steps.get(step).map_or(&[][..], |step| &step.parts);
         for (part, what) in parts.iter().enumerate() {
-            let Part::Task(task) = what else { continue };
             let place = Place { step, part };
-            let was_reached = self.record.answers.get(place).is_some_and(|given| given.reached);
-            if !was_reached || task.is_met(&self.start, now, aircraft) {
-                self.record.scenes.insert(place, link());
+            match what {
+                Part::Prediction(_) => {
+                    is_open &= self.record.answers.get(place).is_some_and(|given| given.is_final);
+                }
+                Part::Task(task) => {
+                    let given = self.record.answers.at(place);
+                    let is_met = task.is_met(&self.start, now, aircraft);
+                    is_new |= is_open && is_met && !given.reached;
+                    given.reached |= is_open && is_met;
+                    if is_met || !given.reached {
+                        self.record.scenes.insert(place, link());
+                    }
+                }
+                Part::Text(_) | Part::Reveal(_) | Part::Write(_) | Part::Notes(_) => {}
             }
         }
+        is_new
     }
 
     /// The link of the step's scene.

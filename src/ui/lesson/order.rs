@@ -3,6 +3,7 @@
 use egui::{Button, Key, RichText, Ui, UiBuilder};
 
 use super::text::Context;
+use crate::few;
 use crate::findings::measures::Measure;
 use crate::lesson::{Answer, Given, Item, Truth};
 use crate::ui::arrow_keys;
@@ -32,7 +33,7 @@ pub fn order_ui(
     let Some(Truth::Values(values)) = truth else { return };
     let convention = context.start.scenario().convention();
     let mut right: Vec<usize> = (0..values.len()).collect();
-    right.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    few::sort_by(&mut right, |&a, &b| values[a].total_cmp(&values[b]));
     let palette = Palette::of(ui);
     let says = |number: usize| items.get(number).map_or_else(String::new, |item| item.says.plain());
     for (place, number) in said.unwrap_or_default().into_iter().enumerate() {
@@ -53,7 +54,7 @@ pub fn order_ui(
 /// By their words, so that the order of the file gives nothing away.
 fn first_order(items: &[Item]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..items.len()).collect();
-    order.sort_by_key(|&number| items.get(number).map(|item| item.says.plain()));
+    few::sort_by_key(&mut order, |&number| items.get(number).map(|item| item.says.plain()));
     order
 }
 

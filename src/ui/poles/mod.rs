@@ -47,6 +47,7 @@ use super::curtain::Curtain;
 use super::symbol::Symbol;
 use super::theme::{self, Palette};
 use super::{arrow_keys, copy, finger};
+use crate::few;
 use crate::findings::Findings;
 use crate::flight::analysis::PlaneAnalysis;
 use crate::flight::modes::locus::Locus;
@@ -405,7 +406,7 @@ fn round_step(step: f64) -> f64 {
 fn slow_modes(modes: &[Mode]) -> Vec<usize> {
     let mut sorted: Vec<usize> = (0..modes.len()).collect();
     let size = |i: usize| modes[i].lambda.norm();
-    sorted.sort_by(|&a, &b| size(a).total_cmp(&size(b)));
+    few::sort_by(&mut sorted, |&a, &b| size(a).total_cmp(&size(b)));
     let gap = |pair: &[usize]| size(pair[1]) / size(pair[0]).max(f64::MIN_POSITIVE);
     let widest = sorted.windows(2).enumerate().max_by(|a, b| gap(a.1).total_cmp(&gap(b.1)));
     let count = widest.map_or(1, |(i, _)| i + 1);

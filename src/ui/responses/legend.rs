@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::{Color32, Galley, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role};
 
 use super::Canvas;
+use crate::few;
 use crate::ui::chart::{self, Pattern, PlotContent, Primitive, SAMPLE};
 use crate::ui::theme::{self, Palette};
 
@@ -60,7 +61,7 @@ pub fn curves(pictures: &[PlotContent]) -> Vec<Entry> {
             entries.push(Entry { mark: Mark::Curve(curve.pattern), color, name });
         }
     }
-    entries.sort_by_key(|entry| entry.mark == Mark::Curve(Pattern::Filled));
+    few::sort_by_key(&mut entries, |entry| entry.mark == Mark::Curve(Pattern::Filled));
     entries
 }
 

@@ -7,6 +7,7 @@ use egui::{PopupCloseBehavior, Rect, Ui, Vec2};
 use super::curves::units;
 use super::legend::{self, Entry};
 use super::{CacheKey, Canvas, curves, kept, line, note_ui, plain_line};
+use crate::few;
 use crate::findings::Findings;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::motion::modal_decomposition::SplitError;
@@ -160,7 +161,9 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, chosen: &mut Vec<Output>, split: &
                     chosen.retain(|other| *other != output);
                 }
                 // In the order of the list, whatever the order of the clicks.
-                chosen.sort_by_key(|output| Output::of(plane).iter().position(|other| other == output));
+                few::sort_by_key(chosen, |output| {
+                    Output::of(plane).iter().position(|other| other == output)
+                });
             }
         }
     });
