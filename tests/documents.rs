@@ -34,3 +34,22 @@ fn every_scene_of_a_document_opens_as_it_says() {
     }
     assert!(count > 15, "{count}");
 }
+
+/// In nginx an unquoted `{` opens a block wherever it stands, also within a regular expression, and the server doesn't start.
+#[test]
+fn braces_within_words_of_the_host_are_quoted() {
+    let text = std::fs::read_to_string(root().join("docs/hosting/nginx.conf")).expect("its text");
+    let mut deep = 0;
+    for line in text.lines().map(|line| line.split(" #").next().unwrap_or_default().trim()) {
+        if line.starts_with('#') {
+            continue;
+        }
+        let bare: String = line.split('"').step_by(2).collect();
+        assert_eq!(line.matches('"').count() % 2, 0, "{line}");
+        let (opens, closes) = (bare.matches('{').count(), bare.matches('}').count());
+        assert!(opens == 0 || opens == 1 && bare.ends_with(" {"), "{line}");
+        assert!(closes == 0 || bare == "}", "{line}");
+        deep = deep + opens - closes;
+    }
+    assert_eq!(deep, 0, "as many blocks end as begin");
+}
