@@ -7,6 +7,7 @@ use eigenwing::export::{ClassSource, class_answers};
 use eigenwing::lesson::{
     Answer, Given, Grader, Grades, Lesson, Outcome, Place, Record, Records, Submission, Work, links_table,
 };
+use eigenwing::scenario::{Parameter, Scenario, View, link};
 use proptest::prelude::*;
 
 const LESSON: &str = r##"+++
@@ -235,10 +236,38 @@ fn the_same_work_under_two_names_is_told_and_a_second_report_of_one_name() {
         handed_in(&good("Cy")),
         handed_in(&good(" ADA")),
     ]);
-    assert!(remarks(&grades, 0).contains("the same as those of Bob."), "{}", remarks(&grades, 0));
+    let shared = "The same as Bob has: sketch in step 1.";
+    assert!(remarks(&grades, 0).contains(shared), "{}", remarks(&grades, 0));
     assert!(remarks(&grades, 1).contains("It was done with the numbers of “Ada”."));
     assert_eq!(remarks(&grades, 2), "");
     assert!(remarks(&grades, 3).contains("Another was handed in before under this name."));
+    // Whatever else was changed: one thing of their own is enough.
+    let record = copied.lessons.get_mut("class/week-3.md").expect("it is there");
+    record.answers.at(CHOICE).answer(Answer::Chosen(vec![0]));
+    record.answers.at(SKETCH).earlier = vec![Answer::DontKnow];
+    let grades = graded(&[handed_in(&good("Ada")), handed_in(&copied)]);
+    assert_eq!(remarks(&grades, 0), shared);
+    assert!(remarks(&grades, 1).contains("The same as Ada has: sketch in step 1."));
+    // A slider that was dragged is one's own, unless it was dragged to its end.
+    let dragged = |person: &str, number: &str| {
+        let mut records = good(person);
+        let record = records.lessons.get_mut("class/week-3.md").expect("it is there");
+        record.answers.at(SKETCH).answer(Answer::DontKnow);
+        let link = format!("v=1&ac=navion&cm_alpha={}&cm_q={number}", own(person));
+        record.scenes.insert(TASK, link);
+        handed_in(&records)
+    };
+    let aircraft = aircraft();
+    let navion = Scenario::new(aircraft.iter().find(|one| one.key == "navion").expect("it ships").clone());
+    let end = *Parameter::find("cm_q").expect("a slider").range(&navion).start();
+    for (number, said) in [
+        ("-17.123456", "The same as Bob has: dragged slider in step 2."),
+        ("-17", ""),
+        (&format!("{end:.12}"), ""),
+    ] {
+        let grades = graded(&[dragged("Ada", number), dragged("Bob", number)]);
+        assert_eq!(remarks(&grades, 0), said, "{number}");
+    }
     // Two who have chosen the same are no twins.
     let chosen = |person: &str| {
         let mut records = good(person);
@@ -296,6 +325,115 @@ fn links_of_a_form_are_graded_whatever_program_wrote_the_table() {
     assert_eq!(found[1].source, "form.csv, line 4");
     for none in [&b""[..], b"a,b\n1,2\n", b"\x00\x01"] {
         assert_eq!(links_table("form.csv", none).len(), 1);
+    }
+}
+
+/// The grade of a row of a table, and its remarks.
+fn row(lesson: &Lesson, name: &str, links: &str) -> (f64, String) {
+    let aircraft = aircraft();
+    let grader = Grader::new(lesson, &aircraft);
+    let table = format!("Name,Links\n{name},\"{links}\"\n");
+    let found = links_table("form.csv", table.as_bytes());
+    assert_eq!(found.len(), 1, "{found:?}");
+    let grades = grader.finish(vec![grader.grade(&found[0])]);
+    (grades.grades[0].points, remarks(&grades, 0))
+}
+
+/// A lesson with nothing but a task, which everybody has the same numbers of.
+fn one_task() -> Lesson {
+    let task = LESSON.split("## Done").nth(1).expect("a step").split("```write").next().expect("a task");
+    let same = task.lines().filter(|line| !line.starts_with("vary")).collect::<Vec<_>>().join("\n");
+    Lesson::read("week-3.md", &format!("+++\ntitle = \"Week 3\"\n+++\n## Done{same}\n")).expect("a lesson")
+}
+
+#[test]
+fn whose_a_link_is_is_looked_at_in_each_and_by_the_words_of_the_name() {
+    let lesson = one_task();
+    let link =
+        |by: &str| format!("https://page.example/#v=1&ac=navion&cm_q=-18&lesson=week-3.md&step=1&by={by}");
+    for (name, by, others) in [
+        ("Ada", &["Ada"][..], &[][..]),
+        ("Ada", &["Ada", "Bob"], &["Bob"]),
+        ("Ada", &["Bob", "Ada", "bob", "Cy"], &["Bob", "Cy"]),
+        ("Joanne", &["Ann"], &["Ann"]),
+        ("Ann Miller", &["Ann"], &[]),
+        ("Miller Ann", &["Ann%20Miller"], &[]),
+        ("AnnMiller", &["Ann%20Miller"], &[]),
+        ("Ann Miller", &["annmiller"], &[]),
+        ("ann.miller@uni.example", &["Ann%20Miller"], &[]),
+        ("Ann", &["Anna"], &["Anna"]),
+        ("Ada", &["", "Ada"], &[]),
+    ] {
+        let links: Vec<String> = by.iter().map(|by| link(by)).collect();
+        let told: Vec<String> = others.iter().map(|by| format!("Its link was made by “{by}”.")).collect();
+        assert_eq!(row(&lesson, name, &links.join(" ")), (3.0, told.join(" ")), "{name}: {by:?}");
+    }
+}
+
+#[test]
+fn a_link_that_does_not_open_as_it_says_is_told_though_its_goal_is_met() {
+    let lesson = one_task();
+    let link = "https://page.example/#v=1&ac=navion&cm_q=-18&lesson=week-3.md&by=Ada";
+    for step in ["x", "0", "99999999999999999999"] {
+        let (points, said) = row(&lesson, "Ada", &format!("{link}&step={step}"));
+        assert!(said.starts_with("A link doesn’t open as it says: ") && said.contains("step"), "{said}");
+        assert_eq!(points, 0.0);
+    }
+    for rest in ["&help=one", "&cm_alfa=1"] {
+        let (points, said) = row(&lesson, "Ada", &format!("{link}&step=1{rest}"));
+        assert!(said.starts_with("Step 1: its link doesn’t open as it says: "), "{said}");
+        assert_eq!(points, 3.0);
+    }
+}
+
+/// However a form puts several links into one cell.
+#[test]
+fn a_hint_counts_whatever_joins_the_links_of_a_cell() {
+    let lesson = one_task();
+    let link = "https://page.example/a,b/#v=1&ac=navion&cm_q=-18&lesson=week-3.md&step=1&by=Ada&help=1";
+    for join in ["; ", ";", ", ", ",", " ", "\n", "|", " and ", ".\n"] {
+        assert_eq!(row(&lesson, "Ada", &format!("{link}{join}{link}")), (0.0, String::new()), "{join:?}");
+    }
+    assert_eq!(row(&lesson, "Ada", &format!("My answer: <{link}>.")), (0.0, String::new()));
+}
+
+#[test]
+fn of_a_lesson_that_is_in_a_report_twice_what_has_come_further_counts() {
+    let mut records = good("Ada");
+    let blank = Record { title: "Week 3".to_owned(), version: lesson().version, ..Record::default() };
+    for address in ["a/week-3.md", "z/week-3.md", "week-3 (1).md"] {
+        records.lessons.insert(address.to_owned(), blank.clone());
+    }
+    let (points, _, said) = one(handed_in(&records));
+    assert_eq!((points, said.as_str()), (5.0, ""));
+    let mut begun = blank;
+    begun.answers.at(CHOICE).answer(Answer::Chosen(vec![0]));
+    records.lessons.insert("a/week-3.md".to_owned(), begun);
+    let (points, _, said) = one(handed_in(&records));
+    assert_eq!(points, 5.0);
+    assert_eq!(said, "The lesson is in it 2 times; what has come furthest is graded.");
+}
+
+#[test]
+fn another_aircraft_under_the_key_of_the_start_is_another() {
+    let lesson = one_task();
+    let file = include_str!("../assets/aircraft/navion.toml");
+    let link = |text: &str| {
+        let mut scene = Scenario::new(Arc::new(Aircraft::own("navion.toml", text).expect("it reads")));
+        assert_eq!(scene.aircraft.key, "navion");
+        Parameter::find("cm_q").expect("a slider").set(&mut scene, -18.0);
+        format!("#{}&lesson=week-3.md&step=1&by=Ada", link::write(&scene, &View::of(&scene), None))
+    };
+    assert_eq!(row(&lesson, "Ada", &link(file)), (3.0, String::new()), "the same file is the same aircraft");
+    for (line, forged) in [("S = 184", "S = 150"), ("c = 5.7", "c = 7"), ("class = \"I\"", "class = \"IV\"")]
+    {
+        assert!(file.contains(line), "{line}");
+        let (points, said) = row(&lesson, "Ada", &link(&file.replacen(line, forged, 1)));
+        assert_eq!(
+            (points, said.as_str()),
+            (0.0, "Step 1: It is another aircraft than at the start."),
+            "{line}"
+        );
     }
 }
 

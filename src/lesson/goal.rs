@@ -64,7 +64,7 @@ impl Task {
     /// Why a scene doesn't count for it. The disturbance may be another: it tells what the aircraft does, and doesn't change it.
     pub fn unfit(&self, start: &Findings, now: &Findings) -> Option<Unfit> {
         let (start, now) = (start.scenario(), now.scenario());
-        if now.aircraft.key != start.aircraft.key {
+        if !is_same(&now.aircraft, &start.aircraft) {
             return Some(Unfit::OtherAircraft);
         }
         if now.task != start.task {
@@ -86,6 +86,17 @@ impl Task {
         let found = moved.len();
         self.changes.filter(|most| found > *most).map(|most| Unfit::TooMany { found, most })
     }
+}
+
+/// Whether two aircraft are the same in all that is computed or judged from them; a file can bear the key of another.
+fn is_same(aircraft: &Arc<Aircraft>, other: &Arc<Aircraft>) -> bool {
+    Arc::ptr_eq(aircraft, other)
+        || aircraft.key == other.key
+            && aircraft.aircraft_model == other.aircraft_model
+            && aircraft.baseline == other.baseline
+            && aircraft.particulars == other.particulars
+            && aircraft.limits == other.limits
+            && aircraft.task == other.task
 }
 
 /// Keys of the parameters that were themselves moved.

@@ -1,12 +1,13 @@
 //! What was handed in, graded: every goal is judged on the scene, every answer against the model, whatever a report says of itself.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use serde::Serialize;
 
+use super::alike::{OwnThing, own_things};
 use super::file::Lesson;
 use super::given::{Answers, Given, Place};
 use super::goal::{Unfit, progress};
@@ -23,7 +24,7 @@ use super::varied;
 use super::vary::normalised;
 use crate::content::Aircraft;
 use crate::findings::Findings;
-use crate::scenario::link::{self, HandedIn};
+use crate::scenario::link::{self, HandedIn, LessonPlace, Notice};
 use crate::words;
 
 /// A part of the lesson that is graded.
@@ -86,9 +87,9 @@ pub struct Grade {
     /// Whose numbers it was done with; empty without varied numbers.
     #[serde(skip)]
     pub seed: String,
-    /// What is compared with that of others; empty where too little was done to tell persons apart.
+    /// What nobody else has by chance.
     #[serde(skip)]
-    fingerprint: String,
+    own: BTreeSet<OwnThing>,
 }
 
 /// The grades of all that was handed in.
@@ -196,24 +197,21 @@ impl<'a> Grader<'a> {
     pub fn finish(&self, mut grades: Vec<Grade>) -> Grades {
         let others = |index: usize| {
             let of: &Grade = &grades[index];
-            let twins = grades.iter().enumerate().filter(|(other, grade)| {
-                *other != index
-                    && !of.fingerprint.is_empty()
-                    && grade.fingerprint == of.fingerprint
-                    && normalised(&grade.name) != normalised(&of.name)
-            });
-            let twins: Vec<String> = twins
-                .map(
-                    |(_, grade)| {
-                        if grade.name.is_empty() { grade.source.clone() } else { grade.name.clone() }
-                    },
-                )
-                .collect();
-            let named = !normalised(&of.name).is_empty();
+            let key = normalised(&of.name);
+            let (mut whose, mut shared) = (Vec::new(), BTreeSet::new());
+            for (_, other) in grades.iter().enumerate().filter(|(other, _)| *other != index) {
+                let same: Vec<&OwnThing> = other.own.intersection(&of.own).collect();
+                if !same.is_empty() && normalised(&other.name) != key {
+                    let is_named = !other.name.is_empty();
+                    whose.push(if is_named { other.name.clone() } else { other.source.clone() });
+                    shared.extend(same.into_iter().map(|thing| (thing.step, thing.what)));
+                }
+            }
+            let shared: Vec<_> = shared.into_iter().collect();
+            let same = (!whose.is_empty()).then_some(Remark::SameAs { whose, shared });
             let is_again =
-                named && grades[..index].iter().any(|grade| normalised(&grade.name) == normalised(&of.name));
-            let again = is_again.then_some(Remark::Again);
-            (!twins.is_empty()).then_some(Remark::SameAs(twins)).into_iter().chain(again).collect::<Vec<_>>()
+                !key.is_empty() && grades[..index].iter().any(|grade| normalised(&grade.name) == key);
+            same.into_iter().chain(is_again.then_some(Remark::Again)).collect::<Vec<_>>()
         };
         let more: Vec<Vec<Remark>> = (0..grades.len()).map(others).collect();
         for (grade, more) in grades.iter_mut().zip(more) {
@@ -260,18 +258,22 @@ impl<'a> Grader<'a> {
 
     fn report(&self, submission: &Submission, records: &Records) -> Grade {
         let name = submission.name.clone().unwrap_or_else(|| records.person.trim().to_owned());
-        let of_key = records.lessons.iter().find(|(address, record)| {
-            self.is_its_address(address) && (record.title.is_empty() || record.title == self.lesson.title)
-        });
-        let record =
-            of_key.or_else(|| records.lessons.iter().find(|(_, record)| record.title == self.lesson.title));
-        let Some((_, record)) = record else {
+        let is_this = |(address, record): &(&String, &Record)| {
+            record.title == self.lesson.title || record.title.is_empty() && self.is_its_address(address)
+        };
+        let these: Vec<&Record> = records.lessons.iter().filter(is_this).map(|(_, record)| record).collect();
+        // Of those that are equally far the first.
+        let Some(record) = these.iter().copied().rev().max_by_key(|record| progress_of(record)) else {
             let titles = records.lessons.values().map(|record| record.title.clone()).collect();
             return Grade { name, remarks: vec![Remark::OtherLessons(titles)], ..Grade::default() };
         };
         let mut remarks = Vec::new();
         if name.is_empty() {
             remarks.push(Remark::Nameless);
+        }
+        let begun = these.iter().filter(|record| !record.answers.is_empty()).count();
+        if begun > 1 {
+            remarks.push(Remark::Several(begun));
         }
         if record.begun_again > 0 {
             remarks.push(Remark::BegunAgain(record.begun_again));
@@ -303,18 +305,27 @@ impl<'a> Grader<'a> {
         let mut record = Record::default();
         let opened: Vec<_> =
             links.iter().filter_map(|link| Some((link, link::read(link, self.aircraft)?))).collect();
-        let by = opened
-            .iter()
-            .find_map(|(_, opened)| opened.handed_in.as_ref())
-            .map(|handed_in| handed_in.by.clone());
-        let name = submission.name.clone().or_else(|| by.clone()).unwrap_or_default();
-        let seed = by.filter(|by| !normalised(by).is_empty()).unwrap_or_else(|| name.clone());
-        let is_told = normalised(&name).contains(&normalised(&seed));
-        if !is_told {
-            remarks.push(Remark::By(seed.clone()));
+        // Whose links they are, each person once.
+        let mut by: Vec<String> = Vec::new();
+        for handed_in in opened.iter().filter_map(|(_, opened)| opened.handed_in.as_ref()) {
+            let key = normalised(&handed_in.by);
+            if !key.is_empty() && by.iter().all(|by| normalised(by) != key) {
+                by.push(handed_in.by.clone());
+            }
         }
+        let name = submission.name.clone().or_else(|| by.first().cloned()).unwrap_or_default();
+        let (own, others): (Vec<String>, Vec<String>) = by.into_iter().partition(|by| is_name_of(&name, by));
+        let seed = own.into_iter().next().or_else(|| others.first().cloned()).unwrap_or_else(|| name.clone());
+        remarks.extend(others.into_iter().map(Remark::By));
         let model = self.model(&seed);
         for (link, opened) in &opened {
+            let is_of_step =
+                |notice: &Notice| matches!(notice, Notice::Word { key, .. } if key == LessonPlace::STEP);
+            let mut notices = opened.notices.iter().filter(|_| opened.lesson.is_some());
+            if let Some(notice) = notices.find(|notice| is_of_step(notice)) {
+                remarks.push(Remark::BadLink(notice.to_string()));
+                continue;
+            }
             let step = match &opened.lesson {
                 Some(place) if self.is_its_address(&place.address) => place.step,
                 Some(place) => {
@@ -353,7 +364,13 @@ impl<'a> Grader<'a> {
                 }
             }
         }
-        remarks.dedup();
+        let mut told = Vec::new();
+        remarks.retain(|remark| {
+            !told.contains(remark) && {
+                told.push(remark.clone());
+                true
+            }
+        });
         self.record(name, seed, &record, remarks)
     }
 
@@ -381,9 +398,9 @@ impl<'a> Grader<'a> {
         if not_given > 0 {
             remarks.push(Remark::NotGiven(not_given));
         }
-        let fingerprint = fingerprint(record);
+        let own = own_things(record, &model.lesson, self.aircraft);
         let seed = if self.lesson.varies() { seed } else { String::new() };
-        Grade { name, marks, remarks, answers: record.answers.clone(), seed, fingerprint, ..Grade::default() }
+        Grade { name, marks, remarks, answers: record.answers.clone(), seed, own, ..Grade::default() }
     }
 
     fn task(&self, model: &Model, work: TaskWork<'_>, remarks: &mut Vec<Remark>) -> Mark {
@@ -422,12 +439,12 @@ impl<'a> Grader<'a> {
                 })
             }
         };
+        // Only what is reached, or said to be, is to be told; a try is a try.
+        if given.reached || problem.is_none() {
+            remarks.extend(opened.notices.first().map(|notice| Remark::Link(place, notice.to_string())));
+            remarks.extend(problem.clone());
+        }
         if problem.is_some() {
-            // Only what is said to be reached is to be told; a try is a try.
-            if given.reached {
-                remarks.extend(opened.notices.first().map(|notice| Remark::Link(place, notice.to_string())));
-                remarks.extend(problem);
-            }
             return missed;
         }
         let given = Given { reached: true, ..given.clone() };
@@ -484,30 +501,21 @@ fn question(
     }
 }
 
-/// What of a record no other person can have by chance: nothing, where all of it are choices and short numbers.
-fn fingerprint(record: &Record) -> String {
-    use super::answer::Answer;
-    let is_own = |answer: &Answer| match answer {
-        Answer::Sketch(_) | Answer::Place { .. } => true,
-        Answer::Text(text) => text.chars().count() > 30,
-        Answer::DontKnow | Answer::Chosen(_) | Answer::Number(_) | Answer::Order(_) => false,
+/// How far a record has come: what is answered for good or reached, and what was given at all.
+fn progress_of(record: &Record) -> (usize, usize) {
+    let given = || record.answers.iter().map(|(_, given)| given);
+    (given().filter(|given| given.is_final || given.reached).count(), given().count())
+}
+
+/// Whether a name that a person has typed is that of the row: each of its words is one of the row's, or they are the same but for
+/// their spaces.
+fn is_name_of(row: &str, typed: &str) -> bool {
+    let words = |text: &str| -> Vec<String> {
+        text.split(|c: char| !c.is_alphanumeric()).map(normalised).filter(|word| !word.is_empty()).collect()
     };
-    let has_own_answer = record.answers.iter().any(|(_, given)| given.answer.as_ref().is_some_and(is_own));
-    // A slider that is dragged leaves many digits; one that is typed has few, and so has the solution.
-    let is_long = |number: &str| number.chars().filter(char::is_ascii_digit).count() >= 6;
-    let is_dragged = |place: &Place, scene: &String| {
-        let shown = record.answers.get(*place).is_some_and(|given| given.solution_shown);
-        !shown && scene.split(['&', '=']).any(is_long)
-    };
-    let has_own_scene = record.scenes.iter().any(|(place, scene)| is_dragged(place, scene));
-    if !has_own_answer && !has_own_scene {
-        return String::new();
-    }
-    // Without whose it is.
-    let scene = |link: &String| {
-        link.split('&').filter(|piece| !piece.starts_with("by=")).collect::<Vec<_>>().join("&")
-    };
-    let scenes: BTreeMap<Place, String> =
-        record.scenes.iter().map(|(place, link)| (*place, scene(link))).collect();
-    serde_json::to_string(&(&record.answers, &scenes)).unwrap_or_default()
+    let (row, typed) = (words(row), words(typed));
+    let joined = typed.concat();
+    // A run of words of the row, as they stand in an address or the name of a file.
+    let is_run = (0..row.len()).any(|from| (from..row.len()).any(|to| row[from..=to].concat() == joined));
+    is_run || typed.iter().all(|word| row.contains(word))
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::notes::minutes;
+use crate::scenario::link;
 
 /// What a line is.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,13 +80,22 @@ impl Line {
     }
 }
 
+/// The links in a text, a line, a space or a sign of a list apart, each without what stands before its scene.
+pub(super) fn links_in(text: &str) -> impl Iterator<Item = &str> {
+    links(text).into_iter().map(|(_, scene)| &text[scene])
+}
+
 /// The links of a line: where each stands with its address, and what of it is the scene.
 fn links(line: &str) -> Vec<(Range<usize>, Range<usize>)> {
     let mut found = Vec::new();
     let mut start = None;
     let ends = |c: char| c.is_whitespace() || c.is_control() || AROUND.contains(c);
-    let chars = line.char_indices().map(|(at, c)| (at, ends(c))).chain([(line.len(), true)]);
-    for (at, is_end) in chars {
+    // No scene has a comma or a semicolon, but an address before it may.
+    let ends_scene =
+        |from: usize, at: usize, c: char| ",;".contains(c) && scene_of(&line[from..at]).is_some();
+    let chars = line.char_indices().map(|(at, c)| (at, Some(c))).chain([(line.len(), None)]);
+    for (at, c) in chars {
+        let is_end = c.is_none_or(|c| ends(c) || start.is_some_and(|from| ends_scene(from, at, c)));
         match (is_end, start) {
             (false, None) => start = Some(at),
             (true, Some(from)) => {
@@ -103,10 +113,7 @@ fn links(line: &str) -> Vec<(Range<usize>, Range<usize>)> {
 
 /// Where the scene of a word begins: behind the first `#`, or at its beginning.
 fn scene_of(word: &str) -> Option<usize> {
-    match word.find('#') {
-        Some(at) => word[at + 1..].contains('=').then_some(at + 1),
-        None => word.starts_with("v=").then_some(0),
-    }
+    link::is_link(word).then(|| word.find('#').map_or(0, |at| at + 1))
 }
 
 /// A line without the mark or the number that makes it an item of a list.

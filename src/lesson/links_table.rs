@@ -3,8 +3,10 @@
 //! A column with links is found by its links, the name by the head of its column, or else as whatever else stands in the row. Rows of
 //! one name belong together.
 
-use super::submission::{Submission, Work, text};
+use super::links_line::links_in;
+use super::submission::{Submission, Work};
 use super::vary::normalised;
+use crate::content::import::decode;
 
 /// Words of a head over names, the best first.
 const NAMES: [&str; 7] = ["name", "nom", "nombre", "student", "number", "matrikel", "mail"];
@@ -14,7 +16,7 @@ pub fn links_table(source: &str, bytes: &[u8]) -> Vec<Submission> {
     let none = |reason: &str| {
         vec![Submission { source: source.to_owned(), name: None, work: Err(reason.to_owned()) }]
     };
-    let text = text(bytes);
+    let Some((text, _)) = decode(bytes) else { return none("this is no table") };
     if text.trim().is_empty() {
         return none("the file is empty");
     }
@@ -39,7 +41,7 @@ pub fn links_table(source: &str, bytes: &[u8]) -> Vec<Submission> {
     });
     let mut found: Vec<Submission> = Vec::new();
     for (line, row) in rows.iter().skip(usize::from(head.is_some())) {
-        let links: Vec<String> = row.iter().flat_map(|cell| links(cell)).collect();
+        let links: Vec<String> = row.iter().flat_map(|cell| links_in(cell)).map(str::to_owned).collect();
         let name = match name_at.and_then(|at| row.get(at)).filter(|cell| !is_link(cell)) {
             Some(name) => name.clone(),
             None => {
@@ -90,12 +92,7 @@ fn delimiter(text: &str) -> u8 {
 }
 
 fn is_link(cell: &str) -> bool {
-    cell.contains("v=1&")
-}
-
-/// The links in a cell, which may hold several, a line or a space apart.
-fn links(cell: &str) -> Vec<String> {
-    cell.split_whitespace().filter(|word| is_link(word)).map(str::to_owned).collect()
+    links_in(cell).next().is_some()
 }
 
 /// Whether a cell is a time or a number rather than a name: it has more digits than letters.

@@ -34,12 +34,14 @@
 //! | `course` | lessons in their order, with what they share |
 //! | `said` | what is said of answers and goals |
 //! | `record` | what a person has done in their lessons |
+//! | `alike` | what nobody else has by chance |
 //! | `submission` | what a person hands in |
 //! | `links_table` | the table of a form in which links were handed in |
 //! | `grade` | what was handed in, graded |
 //! | `remark` | what is to be told of what was handed in |
 //! | `check` | the proof that a lesson holds what it promises |
 
+mod alike;
 mod answer;
 mod check;
 mod course;

@@ -23,6 +23,8 @@ pub enum Remark {
     Nameless,
     /// The lesson was begun again so often, without what had been answered before.
     BegunAgain(u32),
+    /// It holds the lesson so often, opened from different places.
+    Several(usize),
     /// Its link says that it is another's.
     By(String),
     /// It was done with the numbers of another name.
@@ -43,10 +45,17 @@ pub enum Remark {
     OtherStart(Place, [String; 2]),
     /// A link names no step, or one without a task.
     NoStep,
+    /// A link whose step can't be read.
+    BadLink(String),
     /// Links of another lesson.
     OtherLink(String),
-    /// The same as that of others.
-    SameAs(Vec<String>),
+    /// What nobody has by chance is the same as that of others.
+    SameAs {
+        /// The others.
+        whose: Vec<String>,
+        /// In which steps, counted from 0, and what it is.
+        shared: Vec<(usize, &'static str)>,
+    },
     /// Another of the same name was handed in before.
     Again,
 }
@@ -78,6 +87,9 @@ impl fmt::Display for Remark {
             Self::BegunAgain(times) => {
                 write!(f, "It was {}: what was answered before isn’t in it.", said::begun_again(*times))
             }
+            Self::Several(count) => {
+                write!(f, "The lesson is in it {count} times; what has come furthest is graded.")
+            }
             Self::By(name) => write!(f, "Its link was made by “{name}”."),
             Self::OtherNumbers(name) => write!(f, "It was done with the numbers of “{name}”."),
             Self::NotGiven(count) => {
@@ -100,9 +112,12 @@ impl fmt::Display for Remark {
                 write!(f, "{}: it begins with {found}; their own is {own}.", at(place))
             }
             Self::NoStep => write!(f, "A link names no step with a task."),
+            Self::BadLink(notice) => write!(f, "A link doesn’t open as it says: {notice}"),
             Self::OtherLink(lesson) => write!(f, "A link is of another lesson, “{lesson}”."),
-            Self::SameAs(others) => {
-                write!(f, "Its answers and scenes are the same as those of {}.", others.join(", "))
+            Self::SameAs { whose, shared } => {
+                let shared: Vec<String> =
+                    shared.iter().map(|(step, what)| format!("{what} in step {}", step + 1)).collect();
+                write!(f, "The same as {} has: {}.", whose.join(", "), shared.join(", "))
             }
             Self::Again => write!(f, "Another was handed in before under this name."),
         }

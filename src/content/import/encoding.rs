@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 
 /// An encoding that was not plain UTF-8, as it is told.
-pub(super) type Name = &'static str;
+type Name = &'static str;
 
 /// The characters 0x80 to 0x9F of Windows-1252; the five that it leaves out are shown as what they are not (WHATWG, index-windows-1252).
 const WINDOWS_1252: [char; 32] = [
@@ -14,7 +14,7 @@ const WINDOWS_1252: [char; 32] = [
 ];
 
 /// The text of a file and how it was encoded; `None` where it is no text.
-pub(super) fn decode(bytes: &[u8]) -> Option<(Cow<'_, str>, Option<Name>)> {
+pub(crate) fn decode(bytes: &[u8]) -> Option<(Cow<'_, str>, Option<Name>)> {
     if let Some(rest) = bytes.strip_prefix(&[0xff, 0xfe]) {
         return Some((utf16(rest, u16::from_le_bytes).into(), Some("UTF-16")));
     }

@@ -49,6 +49,7 @@ use super::matrix::draft::Problem;
 use super::matrix::{form_bare, form_csv, form_json, form_matlab, plain_signs};
 use crate::key::nearest;
 use detect::Found;
+pub(crate) use encoding::decode;
 use fills::Fills;
 use review::{Basis, Form, Review};
 use sheet::Sheet;
@@ -70,7 +71,7 @@ pub fn review(files: &[FileBytes<'_>], fills: &BTreeMap<String, String>) -> Resu
     for file in files {
         let error =
             |problem: &str| ContentError { file: file.name.to_owned(), line: 1, problem: problem.to_owned() };
-        let (text, encoding) = encoding::decode(file.bytes).ok_or_else(|| {
+        let (text, encoding) = decode(file.bytes).ok_or_else(|| {
             error("this is no text file; expected matrices or the output of a program as text")
         })?;
         if text.trim().is_empty() {

@@ -22,9 +22,12 @@ pub struct LessonPlace {
 }
 
 /// Keys that make no scene.
-const NOT_OF_SCENES: [&str; 5] = ["v", "lesson", "step", words::PRESENT, words::LOOK];
+const NOT_OF_SCENES: [&str; 5] = ["v", "lesson", LessonPlace::STEP, words::PRESENT, words::LOOK];
 
 impl LessonPlace {
+    /// The key of its step.
+    pub const STEP: &str = "step";
+
     /// The pieces of a link, with an `&` before each.
     pub fn in_link(&self) -> String {
         format!("&lesson={}&step={}", self.address, self.step + 1)
@@ -50,14 +53,14 @@ impl LessonPlace {
     pub(super) fn read(pieces: &mut Pieces) -> Option<Self> {
         let begins = !pieces.has_other_than(&NOT_OF_SCENES);
         let address = pieces.take_as("lesson", |text| Self::is_address(text).then(|| text.to_owned()));
-        let step = pieces.take_as("step", |text| {
+        let step = pieces.take_as(Self::STEP, |text| {
             text.parse::<usize>().ok().filter(|step| (1..=MOST_STEPS).contains(step))
         });
         match (address, step) {
             (Some(address), step) => Some(Self { address, step: step.unwrap_or(1) - 1, begins }),
             (None, Some(step)) => {
                 let word = quoted(&step.to_string());
-                pieces.notices.push(Notice::Word { key: quoted("step"), word });
+                pieces.notices.push(Notice::Word { key: quoted(Self::STEP), word });
                 None
             }
             (None, None) => None,
