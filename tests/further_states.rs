@@ -21,7 +21,7 @@ use eigenwing::flight::modes::stability::Stability;
 use eigenwing::flight::motion::experiment::{Channel, Start, forced};
 use eigenwing::flight::motion::inputs::Input;
 use eigenwing::flight::motion::response::{TimeGrid, respond};
-use eigenwing::scenario::{Parameter, Scenario, View, link};
+use eigenwing::scenario::{Parameter, Scenario, Source, View, link};
 use import_files::{model, open};
 use nalgebra::{Complex, DVector};
 use serde_json::{Value, json};
@@ -265,6 +265,27 @@ fn further_states_travel_in_files_links_and_json_to_the_last_bit() {
         let ships: Vec<Arc<Aircraft>> = embedded_aircraft().0.into_iter().map(Arc::new).collect();
         let opened = link::read(&text, &ships).expect("there are aircraft");
         assert_eq!(opened.scenario.aircraft.aircraft_model, scenario.aircraft.aircraft_model, "{file}");
+    }
+}
+
+/// Four states, eight further ones and four of a law have as many modes.
+#[test]
+fn each_of_sixteen_modes_has_its_place_in_a_link() {
+    let review = open(&["navion-twelve-states.m"], &[]);
+    let mut scenario = scenario(import_files::aircraft(&review));
+    let ships: Vec<Arc<Aircraft>> = embedded_aircraft().0.into_iter().map(Arc::new).collect();
+    let choice = |scenario: &Scenario| scenario.disturbance.choices[Longitudinal];
+    scenario.disturbance.choices[Longitudinal].source = Source::Mode;
+    for mode in 0..16 {
+        scenario.disturbance.choices[Longitudinal].mode = mode;
+        let text = link::write(&scenario, &View::of(&scenario), None);
+        let opened = link::read(&text, &ships).expect("there are aircraft");
+        assert_eq!((choice(&opened.scenario), opened.notices), (choice(&scenario), vec![]), "{text}");
+    }
+    for none in ["0", "17", "+3", "03"] {
+        let opened =
+            link::read(&format!("v=1&ac=navion&lon.mode={none}"), &ships).expect("there are aircraft");
+        assert_eq!(opened.notices.len(), 1, "{none}");
     }
 }
 

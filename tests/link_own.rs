@@ -5,8 +5,8 @@ use std::sync::Arc;
 use eigenwing::content::import::review::Review;
 use eigenwing::content::import::{FileBytes, review};
 use eigenwing::content::{Aircraft, embedded_aircraft};
-use eigenwing::scenario::link::{self, Notice, Opened};
-use eigenwing::scenario::{Parameter, Scenario, View};
+use eigenwing::scenario::link::{self, HandedIn, LONGEST, LessonPlace, Notice, Opened};
+use eigenwing::scenario::{Dimension, Parameter, Scenario, View, parameters};
 use proptest::prelude::*;
 
 fn all() -> Vec<Arc<Aircraft>> {
@@ -99,16 +99,57 @@ fn a_damaged_aircraft_is_told_and_its_edits_are_left_out() {
     assert_eq!(reopened(&last).notices, []);
 }
 
-#[test]
-fn an_aircraft_too_long_for_a_link_is_left_out_of_it() {
-    let review = open(&["navion.py"]);
-    // Words that can't be made shorter.
-    let noise: String = (0..12_000_u64)
+/// An aircraft with so long a note, of words that can't be made shorter.
+fn noted(letters: u64) -> Aircraft {
+    let noise: String = (0..letters)
         .map(|k| char::from(b'a' + (k.wrapping_mul(k).wrapping_mul(2_654_435_761) >> 13) as u8 % 26))
         .collect();
+    let review = open(&["navion.py"]);
     let long =
         review.text().expect("it is ready").replacen("basis", &format!("note = \"{noise}\"\nbasis"), 1);
-    let scenario = Scenario::new(Arc::new(Aircraft::own("long", &long).expect("it reads")));
+    Aircraft::own("long", &long).expect("it reads")
+}
+
+/// Both as long as one may be, and every number edited: nothing of the scene, the pinned state or the view is cut off.
+#[test]
+fn two_aircraft_as_long_as_they_may_be_fit_into_one_link() {
+    let longest = |most: u64| {
+        let fits = |letters: &u64| link::own::has_room(&noted(*letters));
+        Scenario::new(Arc::new(noted((0..most).rev().step_by(40).find(fits).expect("a short one fits"))))
+    };
+    let edited = |mut scenario: Scenario| {
+        for p in parameters() {
+            if !p.applies(&scenario) {
+                continue;
+            }
+            let range = p.range(&scenario);
+            let value = 0.3 / 7.0 * range.start() + (1.0 - 0.3 / 7.0) * range.end();
+            let value = if p.dimension == Dimension::Count { value.round() } else { value };
+            match p.added(&scenario) {
+                Some(_) => p.set_added(&mut scenario, value),
+                None => p.set(&mut scenario, value),
+            }
+        }
+        scenario
+    };
+    let (scene, other) = (edited(longest(9000)), edited(longest(8900)));
+    assert_ne!(scene.aircraft, other.aircraft);
+    let view = View { presents: true, ..View::of(&scene) };
+    let place = LessonPlace { address: "a".repeat(200), step: 998, begins: false };
+    let handed_in = HandedIn { by: "é".repeat(80), hints: 20, solution_shown: true };
+    let text = link::write(&scene, &view, Some(&other));
+    let text = format!("{text}{}{}", place.in_link(), handed_in.in_link());
+    assert!(text.len() > 12_000 && text.len() <= LONGEST, "{}", text.len());
+    let opened = reopened(&text);
+    assert_eq!(opened.notices, []);
+    assert_eq!((opened.scenario.edited, opened.view), (scene.edited, view));
+    assert_eq!(opened.pinned.expect("it is pinned").edited, other.edited);
+    assert_eq!((opened.lesson, opened.handed_in), (Some(place), Some(handed_in)));
+}
+
+#[test]
+fn an_aircraft_too_long_for_a_link_is_left_out_of_it() {
+    let scenario = Scenario::new(Arc::new(noted(12_000)));
     let text = link::write(&scenario, &View::of(&scenario), None);
     assert!(!text.contains("own="), "{} characters", text.len());
     assert!(matches!(&reopened(&text).notices[..], [Notice::Aircraft { .. }]));

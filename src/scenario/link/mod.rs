@@ -342,7 +342,7 @@ fn mode_of(scenario: &Scenario, plane: Plane, word: &str) -> Option<usize> {
     let model = scenario.aircraft.baseline.models.planes[plane].as_ref();
     let is_of_four = law.is_open(plane) && model.is_none_or(|model| model.further.is_none());
     let is_there = |place: &usize| four.contains(place) || !is_of_four;
-    words::meaning_of(&words::MODES, word).filter(is_there).or_else(|| {
+    words::place_of_mode(word).filter(is_there).or_else(|| {
         let name = ModeName::by_key(word)?;
         let analysis = scenario.analyse().ok()?;
         let open = analysis.planes[plane].as_ref()?.as_ref().ok()?;

@@ -4,12 +4,14 @@ use percent_encoding::percent_decode_str;
 
 use super::super::{Parameter, ValueError};
 use super::notice::{Notice, quoted};
+use super::own::LONGEST_OWN;
 use super::words;
 use crate::flight::aircraft::plane::Plane;
 use crate::key::{Keyed, nearest};
 
-/// Longer links are cut \[characters\]: a scene with every number of it and of the pinned state edited is shorter.
-pub const LONGEST: usize = 10_000;
+/// Longer links are cut \[characters\]. Every link that is written is shorter: one with an aircraft of a person's own in the scene and
+/// another in the pinned state, every number of both edited, and a lesson with a name behind it.
+pub const LONGEST: usize = 10_000 + 2 * LONGEST_OWN;
 
 /// Before the point in the keys of gains.
 const GAIN: &str = "k.";

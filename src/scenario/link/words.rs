@@ -1,5 +1,7 @@
 //! The words of a link that are neither parameters nor keys of a list. They never change, whatever the program calls things.
 
+use crate::flight::aircraft::further::MOST_FURTHER;
+
 /// Before the key of a derivative or matrix entry: the number is added to the value that follows from the rest.
 pub(super) const ADDED: &str = "add.";
 
@@ -51,6 +53,10 @@ pub(super) const PRESENT: &str = "present";
 /// The same as a word.
 pub(super) const PRESENTS: [(&str, bool); 2] = [("off", false), ("on", true)];
 
+/// Most modes of a plane: of its four states, the further ones of its source, and the four that a law appends, which are the place on the
+/// path, a washout and two actuators.
+const MOST_MODES: usize = 4 + MOST_FURTHER + 4;
+
 /// Seconds of motion played in a second.
 pub(super) const RATES: [(&str, f64); 9] = [
     ("0.125", 0.125),
@@ -78,9 +84,15 @@ pub(super) const OVERLAYS: [&str; 9] =
 pub(super) const COLOURED: [(&str, Option<usize>); 5] =
     [("1", Some(0)), ("2", Some(1)), ("3", Some(2)), ("4", Some(3)), (NOTHING, None)];
 
-/// The mode flown alone, counted from one as a person does: as many as four states and those of a law have.
-pub(super) const MODES: [(&str, usize); 8] =
-    [("1", 0), ("2", 1), ("3", 2), ("4", 3), ("5", 4), ("6", 5), ("7", 6), ("8", 7)];
+/// The place of a mode that is flown alone, which is counted from one as a person does; of as many as there can be.
+pub(super) fn place_of_mode(number: &str) -> Option<usize> {
+    let is_number = number.bytes().all(|byte| byte.is_ascii_digit()) && !number.starts_with('0');
+    number
+        .parse()
+        .ok()
+        .filter(|number| is_number && (1..=MOST_MODES).contains(number))
+        .map(|number: usize| number - 1)
+}
 
 pub(super) fn word_of<T: PartialEq>(words: &[(&'static str, T)], meaning: T) -> Option<&'static str> {
     words.iter().find(|(_, other)| *other == meaning).map(|(word, _)| *word)
