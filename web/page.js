@@ -27,13 +27,13 @@
   }
 
   // What may help to mend a mistake: the version, what the program said, the scene, the browser and its window. An aircraft of a
-  // person's own stays out of it, and so does where the page is.
+  // person's own stays out of it, and so do their name and where the page is.
   function report(text) {
     const { content: version } = document.querySelector('meta[name="eigenwing-version"]');
     return [
       `Eigenwing ${/^\d/.test(version) ? version : "as built from its sources"}`,
       text,
-      `scene: ${location.hash.replace(/((?:^#|[&.])own=)[^&]*/g, "$1…") || "none"}`,
+      `scene: ${location.hash.replace(/((?:^#|[&.;])(?:own|by)=)[^&]*/g, "$1…") || "none"}`,
       `browser: ${navigator.userAgent}`,
       `window: ${innerWidth} × ${innerHeight} points, ${devicePixelRatio} pixels each`,
     ].join("\n");

@@ -7,6 +7,10 @@ const element = (id) => document.getElementById(id);
 const shown = (x, digits = 3) => (x === null ? "" : Number(x.toPrecision(digits)).toString().replace("-", "−"));
 const begun = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 const FIRST = "navion";
+// Keys of what an author shows, hides or locks, which this page can't do.
+const KEPT = ["hide", "lock", "lesson"];
+const REFUSED =
+  "This link opens a lesson, or hides or locks something. The page without graphics can’t do that, so it doesn’t open it: it needs a browser with WebGL.";
 // A unit of the core as a person reads it, and how many of these one of those is.
 const UNITS = { rad: ["°", 180 / Math.PI], "": ["", 1] };
 const unitOf = (unit) => UNITS[unit] ?? [unit, 1];
@@ -73,12 +77,34 @@ function move(key, value) {
   const before = set;
   set = { ...set, [key]: value };
   if (show()) {
-    history.replaceState(null, "", link(request()).link);
+    writeAddress();
   } else {
     // The sentence says why it can't be; the sliders stay where they were.
     set = before;
     showValues();
   }
+}
+
+// The scene in the address, and behind the way to the whole page.
+function writeAddress() {
+  history.replaceState(null, "", link(request()).link);
+  leadToWhole();
+}
+
+function leadToWhole() {
+  element("whole").href = `./${location.hash}`;
+}
+
+// The pieces of the address, each with its key as the core reads it.
+function pieces() {
+  return location.hash.slice(1).split("&").map((piece) => {
+    const text = piece.replace(/^amp;/, "");
+    try {
+      return { text, key: decodeURIComponent(text.split("=")[0]) };
+    } catch {
+      return { text, key: "" };
+    }
+  });
 }
 
 // The value of every slider: a knob of the aircraft moves coefficients too.
@@ -131,7 +157,6 @@ function show() {
     showModes(found);
     showFigures(found);
     showValues();
-    element("whole").href = `./${location.hash}`;
     element("problem").textContent = notices.join(" ");
     return true;
   } catch ({ message }) {
@@ -168,14 +193,30 @@ try {
   await init();
   const options = list().map(({ key, name, condition }) => made("option", { value: key, textContent: `${name}: ${condition}` }));
   element("aircraft").replaceChildren(...options);
-  const fromAddress = () => open(location.hash.length > 1 ? { link: location.hash } : { aircraft: FIRST });
+  const fromAddress = () => {
+    leadToWhole();
+    const isRefused = pieces().some(({ key }) => KEPT.includes(key));
+    for (const id of ["choice", "source", "columns"]) element(id).hidden = isRefused;
+    if (isRefused) {
+      element("problem").textContent = REFUSED;
+      // The page around a frame may have something else to show.
+      if (window.parent !== window) window.parent.postMessage({ eigenwing: 1, type: "error", sentence: REFUSED }, "*");
+    } else {
+      open(location.hash.length > 1 ? { link: location.hash } : { aircraft: FIRST });
+    }
+  };
   element("aircraft").addEventListener("change", ({ target }) => {
     open({ aircraft: target.value });
-    history.replaceState(null, "", link(request()).link);
-    element("whole").href = `./${location.hash}`;
+    writeAddress();
   });
   element("plane").addEventListener("change", begin);
-  element("reset").addEventListener("click", () => element("aircraft").dispatchEvent(new Event("change")));
+  element("reset").addEventListener("click", () => {
+    const key = element("aircraft").value;
+    // One of a person's own is in no list: it is what the address says of it without its edits.
+    const own = pieces().filter(({ key }) => key === "own" || key === "ac");
+    open(key ? { aircraft: key } : { link: `#v=1&${own.map(({ text }) => text).join("&")}` });
+    writeAddress();
+  });
   window.addEventListener("hashchange", fromAddress);
   fromAddress();
 } catch {

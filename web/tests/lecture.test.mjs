@@ -181,6 +181,26 @@ test("a lecture that a link has begun takes the whole screen with the first key"
   assertClean(seen);
 });
 
+test("a lecture that a link has begun, and that the first key ends, asks for no full screen", async (t) => {
+  const { page, ready, seen } = await open(t, {
+    fragment: "#v=1&ac=navion&present=on",
+    before: () => {
+      window.asked = 0;
+      let isTouched = false;
+      addEventListener("keydown", () => (isTouched = true), { capture: true });
+      Object.defineProperty(Navigator.prototype, "userActivation", { get: () => ({ isActive: isTouched }) });
+      Element.prototype.requestFullscreen = async () => (window.asked += 1);
+    },
+  });
+  await ready();
+  const isOn = () => page.evaluate(() => location.hash.includes("present=on"));
+  assert.ok(await isOn());
+  await page.keyboard.press("f");
+  await until(isOn, (on) => !on, "the lecture is over");
+  assert.equal(await page.evaluate(() => window.asked), 0);
+  assertClean(seen);
+});
+
 test("links that are pasted become a lecture, which is saved and opened again", async (t) => {
   const { page, ready, seen } = await open(t, { fragment: "#v=1&ac=navion" });
   await ready();

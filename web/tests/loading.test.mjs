@@ -77,14 +77,14 @@ test("a program that stops says so, and Reload starts it again", async (t) => {
 });
 
 test("a program that stops keeps the scene, and offers a report in which nobody is named", async (t) => {
-  const scene = "#v=1&ac=navion&cm_alpha=-0.5&own=c2VjcmV0&pin.own=c2VjcmV0";
+  const scene = "#v=1&ac=navion&cm_alpha=-0.5&own=c2VjcmV0&pin.own=c2VjcmV0&by=Ada%20Lovelace";
   const { page, ready, url } = await open(t, { fragment: scene });
   await ready();
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.evaluate(() => dispatchEvent(new CustomEvent("eigenwing-failed", { detail: "index out of bounds" })));
   await page.getByText("A report for who mends it").click();
   const report = await page.getByRole("textbox", { name: "Report" }).inputValue();
-  assert.match(report, /^Eigenwing \d+\.\d+\.\d+-[0-9a-f]{16}\nindex out of bounds\nscene: #v=1&ac=navion&cm_alpha=-0\.5&own=…&pin\.own=…\nbrowser: /);
+  assert.match(report, /^Eigenwing \d+\.\d+\.\d+-[0-9a-f]{16}\nindex out of bounds\nscene: #v=1&ac=navion&cm_alpha=-0\.5&own=…&pin\.own=…&by=…\nbrowser: /);
   assert.ok(!report.includes(new URL(url).host), "where the page is");
   await page.getByRole("button", { name: "Copy the report" }).click();
   await until(() => page.evaluate(() => navigator.clipboard.readText()), (text) => text === report, "the report on the clipboard");

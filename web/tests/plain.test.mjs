@@ -45,6 +45,48 @@ test("a slider of the plain page moves the modes and the address, and what can't
   assert.deepEqual(seen, { ...seen, console: [], errors: [] });
 });
 
+test("the plain page opens no lesson and nothing that is hidden or locked, and says so to the page around it", async (t) => {
+  const { page } = await open(t, { path: "plain.html", fragment: "#v=1&ac=navion&lock=aircraft" });
+  const said = (page) => page.getByRole("alert").getByText(/lesson, or hides or locks/);
+  const shown = (page) => page.getByRole("table").isVisible();
+  for (const piece of ["lock=aircraft", "hide=numbers", "%68ide=numbers", "lesson=longitudinal&step=2", "cg=12&amp;lock=all"]) {
+    await page.evaluate((piece) => (location.hash = `#v=1&ac=navion&${piece}`), piece);
+    await said(page).waitFor();
+    assert.ok(!(await shown(page)), piece);
+  }
+  await page.evaluate(() => (location.hash = "#v=1&ac=navion&stage=derivatives.poles"));
+  await until(() => shown(page), Boolean, "a scene without them");
+  assert.equal(await page.getByRole("alert").innerText(), "");
+
+  const { page: host } = await open(t, { ...NO_WEBGL, path: "example/embed.html" });
+  await said(host.frameLocator("#frame")).waitFor();
+  const told = async () => (await host.locator("#log li").allTextContents()).map((line) => JSON.parse(line));
+  await until(told, (messages) => messages.some(({ eigenwing, type, sentence }) => eigenwing === 1 && type === "error" && /WebGL/.test(sentence)), "an error");
+});
+
+test("the way to the whole page has the last edit, and an aircraft of one's own is reset to its file", async (t) => {
+  const { page, seen } = await open(t, { path: "plain.html", fragment: "#v=1&ac=navion" });
+  const verdict = () => page.getByRole("status").innerText();
+  await until(verdict, (said) => said.startsWith("Dynamically stable"), "the Navion");
+  const stiffness = page.getByRole("slider", { name: "Pitch stiffness cm_alpha" });
+  const whole = () => page.getByRole("link", { name: "Try the whole page" }).getAttribute("href");
+  await stiffness.fill("0.3");
+  await until(whole, (href) => href.includes("cm_alpha=0.3"), "the edit in the link");
+  const own = await page.evaluate(async () => {
+    const { list, link, takeAlong } = await import("./core/eigenwing-core.js");
+    const toml = takeAlong({ aircraft: list()[0].key, target: "toml" }).text.replace(/^key = .*/m, 'key = "own-mine"');
+    return link({ toml }).link;
+  });
+  await page.evaluate((own) => (location.hash = `${own}&cm_alpha=0.3`), own);
+  await until(verdict, (said) => said.startsWith("Dynamically unstable"), "one's own, edited");
+  await page.getByRole("button", { name: "Reset the aircraft" }).click();
+  await until(verdict, (said) => said.startsWith("Dynamically stable"), "one's own, as it was");
+  assert.match(page.url(), /own=/);
+  assert.doesNotMatch(page.url(), /cm_alpha/);
+  assert.match(await whole(), /own=/);
+  assert.deepEqual(seen, { ...seen, console: [], errors: [] });
+});
+
 test("the plain page on a phone in the dark is no wider than the window, and every input has a name", async (t) => {
   const { page, screenshot } = await open(t, { path: "plain.html", viewport: { width: 390, height: 844 }, colorScheme: "dark" });
   await page.getByRole("cell").first().waitFor();
