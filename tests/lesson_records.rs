@@ -127,6 +127,25 @@ fn a_report_taken_up_elsewhere_adds_what_is_missing_and_loses_nothing() {
     assert_eq!(answer, Some(&Answer::Number(60.0)), "what is here stays");
 }
 
+#[test]
+fn a_name_that_was_changed_on_one_page_is_changed_on_the_other_and_stays() {
+    let named = |person: &str| Records { person: person.to_owned(), ..records() };
+    for (here, stored, known, name) in [
+        ("Ada", "Ada", "Ada", "Ada"),
+        ("Ada", "Bea", "Ada", "Bea"),
+        ("Bea", "Ada", "Ada", "Bea"),
+        ("", "Ada", "Ada", ""),
+        ("Ada", "", "Ada", ""),
+        ("", "Ada", "", "Ada"),
+        ("Bea", "Cy", "Ada", "Bea"),
+    ] {
+        let mut joined = named(here);
+        joined.join(named(stored), &named(known));
+        assert_eq!(joined.person, name, "{here}, {stored}, {known}");
+        assert_eq!(joined.adds_to(&named(stored)), name != stored, "{here}, {stored}, {known}");
+    }
+}
+
 /// The records of one lesson after something was done in it.
 fn after(records: &Records, doing: impl FnOnce(&mut Record)) -> Records {
     let mut records = records.clone();
@@ -149,7 +168,7 @@ fn what_is_done_in_the_same_lesson_on_two_pages_is_joined_whichever_stores_it_fi
     assert!(one.adds_to(&other) && other.adds_to(&one), "each has something that the other hasn't");
     for (first, second) in [(&one, &other), (&other, &one)] {
         let mut joined = first.clone();
-        joined.join(second.clone());
+        joined.join(second.clone(), &Records::default());
         let record = &joined.lessons["own.md"];
         let given = record.answers.get(question).and_then(Given::final_answer);
         assert_eq!(given, Some(&Answer::Number(28.0)), "the answer that is final");
@@ -176,7 +195,7 @@ fn of_two_pages_that_answer_otherwise_each_keeps_its_own_and_neither_writes_over
         })
     };
     let mut joined = wrong(1);
-    joined.join(wrong(2));
+    joined.join(wrong(2), &Records::default());
     let given = joined.lessons["own.md"].answers.get(place).expect("given").clone();
     assert_eq!(given.earlier.len(), 2, "answers that were wrong count on every page");
 }
@@ -186,14 +205,14 @@ fn a_lesson_begun_again_on_one_page_is_begun_again_on_the_other() {
     let again = after(&records(), |record| *record = record.begun_again());
     for (first, second) in [(again.clone(), records()), (records(), again.clone())] {
         let mut joined = first;
-        joined.join(second);
+        joined.join(second, &Records::default());
         let record = &joined.lessons["own.md"];
         assert_eq!((record.begun_again, record.answers.is_empty(), record.scenes.len()), (1, true, 0));
     }
     // Another lesson in a file of the same name has nothing to do with this one.
     let other = after(&again, |record| record.title = "Another".to_owned());
     let mut joined = records();
-    joined.join(other.clone());
+    joined.join(other.clone(), &Records::default());
     assert_eq!(joined, records());
     assert!(!records().adds_to(&other), "and isn't written over it");
 }
@@ -208,7 +227,7 @@ fn a_goal_that_was_reached_without_its_solution_stays_so() {
     let (unaided, shown) = (given(true, false), given(false, true));
     for (first, second) in [(unaided.clone(), shown.clone()), (shown, unaided)] {
         let mut joined = first;
-        joined.join(second);
+        joined.join(second, &Records::default());
         assert!(joined.lessons["own.md"].answers.get(task).is_some_and(Given::is_unaided));
     }
 }

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use eigenwing::content::{Aircraft, FILES, MatrixFormat};
+use eigenwing::content::{Aircraft, FILES, MatrixFormat, lines_with_key};
 use eigenwing::export::{
     DisturbanceRequest, PlaneOutcome, Report, Scene, Source, Subject, TakenAlong, Target, analyse, json,
     take_along,
@@ -71,6 +71,28 @@ fn an_aircraft_file_that_is_taken_along_opens_to_the_last_bit() {
         assert_eq!(taken(&Subject::listed(key).scene().expect("an aircraft"), Target::Toml).text, *shipped);
     }
     assert!(changed > 40, "{changed}");
+}
+
+/// However the line is written, it is one line, and gone with the edits.
+#[test]
+fn edits_that_were_written_by_hand_are_replaced() {
+    let (_, file) = FILES.iter().find(|(file, _)| *file == "navion.toml").expect("it ships");
+    let open = |text: &str| scene(Source::Toml { file: "again.toml".to_owned(), text: text.to_owned() });
+    for line in ["edits=\"cg=16\"", "  edits   = 'cg=16'", "\"edits\" = \"cg=16\" # aft"] {
+        // Behind the first key, where a person may put it.
+        let text = file.replacen("name =", &format!("{line}\nname ="), 1);
+        let opened = open(&text);
+        assert_eq!(Parameter::find("cg").expect("a row").get(&opened.scenario), 0.16, "{line}");
+        let again = taken(&opened, Target::Toml).text;
+        assert_eq!(open(&again).scenario.edited, opened.scenario.edited, "{again}");
+        assert_eq!(again.matches("edits").count(), 1, "{again}");
+        let mut reset = opened.clone();
+        reset.scenario = Scenario::new(opened.scenario.aircraft.clone());
+        assert_eq!(taken(&reset, Target::Toml).text, *file, "{line}");
+    }
+    // A table may have a key of that name.
+    let text = format!("{file}\n[of-mine]\nedits = \"x\"\n");
+    assert!(lines_with_key(&text, "edits").all(|(_, is_key)| !is_key));
 }
 
 #[test]

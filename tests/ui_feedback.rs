@@ -295,7 +295,7 @@ B = [[0.0, 0.0], [0.0, 0.0], [-1.5e308, 0.0], [0.0, 0.0]]
 "#;
     let mut harness = page(WIDE);
     let kept = serde_json::json!([TextFile::new("own-strong", file)]).to_string();
-    harness.state_mut().as_mut().expect("the page").take_up_aircraft(&kept);
+    harness.state_mut().as_mut().expect("the page").take_up_aircraft(&kept, "");
     open(&mut harness, "v=1&ac=own-strong&page=feedback&k.q_de=1");
     assert!(app(&harness).findings().loop_problem().is_none(), "as large as a number may be");
     open(&mut harness, "v=1&ac=own-strong&page=feedback&k.q_de=2");

@@ -175,7 +175,7 @@ fn numbers_of_ones_own_wait_for_a_name_and_the_link_that_is_handed_in_has_both()
 #[test]
 fn a_hint_that_costs_the_points_says_so_before_and_after() {
     let mut harness = homework(WIDE);
-    harness.state_mut().as_mut().expect("the page").take_up_records(r#"{"person":"Ada"}"#);
+    harness.state_mut().as_mut().expect("the page").take_up_records(r#"{"person":"Ada"}"#, "");
     click(&mut harness, "Skip →");
     type_into(&mut harness, "Your name or number", "Ada");
     click(&mut harness, "Give me a hint");

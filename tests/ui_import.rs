@@ -80,7 +80,7 @@ fn matrices_that_are_dropped_are_reviewed_used_kept_and_deleted() {
         let kept = state(&mut page).take_changed_aircraft().expect("it is kept");
         assert!(state(&mut page).take_changed_aircraft().is_none());
         let mut again = page::page(size);
-        state(&mut again).take_up_aircraft(&kept);
+        state(&mut again).take_up_aircraft(&kept, "");
         again.key_press(Key::O);
         again.run();
         let name = app(&page).scenario().aircraft.name.clone();
@@ -110,9 +110,50 @@ fn aircraft_of_one_name_that_two_tabs_have_kept_are_both_there() {
         files.matches("\"name\":\"own-").count()
     };
     for _ in 0..2 {
-        state(&mut other).take_up_aircraft(&kept);
+        state(&mut other).take_up_aircraft(&kept, "");
         assert_eq!(count(&mut other), 2, "taken up again, it is the same");
     }
+}
+
+#[test]
+fn an_aircraft_that_was_deleted_in_one_tab_does_not_come_back_with_another() {
+    let mut one = page(WIDE);
+    for (name, damping) in [("first.m", "-2.02"), ("second.m", "-1.8")] {
+        drop_file(&mut one, name, MATRICES.replace("-2.02", damping).as_bytes());
+        take_suggestions(&mut one);
+        press(&mut one, "Use this aircraft");
+    }
+    let both = state(&mut one).take_changed_aircraft().expect("they are kept");
+    let mut other = page(WIDE);
+    state(&mut other).take_up_aircraft(&both, "");
+    let _ = state(&mut other).take_changed_aircraft();
+    let delete = |page: &mut Page, name: &str| {
+        page.key_press(Key::O);
+        page.run();
+        press(page, name);
+        page.key_press(Key::Escape);
+        page.run();
+        state(page).take_changed_aircraft().expect("one less")
+    };
+    let names = |json: &str| -> Vec<String> {
+        let files: serde_json::Value = serde_json::from_str(json).expect("JSON");
+        files.as_array().expect("files").iter().map(|file| file["name"].to_string()).collect()
+    };
+    let kept = names(&both);
+    assert_eq!(kept.len(), 2);
+    let stored = delete(&mut one, "Delete first");
+    assert_eq!(names(&stored), kept[1..]);
+    // The other tab deletes the second, with both in mind.
+    let here = delete(&mut other, "Delete second");
+    assert_eq!(names(&here), kept[..1]);
+    state(&mut other).take_up_aircraft(&stored, &both);
+    let left = state(&mut other).take_changed_aircraft().expect("to be stored");
+    assert_eq!(left, "[]", "both are gone");
+    state(&mut one).take_up_aircraft(&left, &stored);
+    assert_eq!(state(&mut one).take_changed_aircraft().as_deref(), Some("[]"));
+    one.key_press(Key::O);
+    one.run();
+    assert!(!has(&one, "On this device"));
 }
 
 /// What is opened on one device goes on to another by its link, and stays there if that is wanted.

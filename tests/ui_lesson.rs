@@ -282,7 +282,7 @@ fn a_link_leads_to_a_step_of_a_lesson_with_its_scene_or_with_one_of_its_own() {
 fn reload(harness: &mut Page, stored: &str) -> Page {
     let link = app(harness).link();
     let mut loaded = page(WIDE);
-    loaded.state_mut().as_mut().expect("the page").take_up_records(stored);
+    loaded.state_mut().as_mut().expect("the page").take_up_records(stored, "");
     open(&mut loaded, &link);
     loaded
 }
@@ -300,7 +300,7 @@ fn a_lesson_that_is_open_in_two_tabs_shows_in_each_what_is_done_in_the_other_and
     click(&mut one, "It swings for minutes.");
     click(&mut one, "Answer");
     let hear = |tab: &mut Page, records: &str| {
-        let adds = tab.state_mut().as_mut().expect("the page").take_up_records(records);
+        let adds = tab.state_mut().as_mut().expect("the page").take_up_records(records, "");
         tab.run();
         adds
     };

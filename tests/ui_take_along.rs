@@ -6,7 +6,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, Pos2, Rect, Vec2};
 use egui_kittest::kittest::Queryable as _;
 use eigenwing::content::{Aircraft, FILES, TextFile};
-use eigenwing::ui::{App, FileRequest};
+use eigenwing::ui::{App, CoreRequest, FileRequest};
 use page::{PHONE, Page, TABLET, WIDE, app, open, page};
 
 fn state(page: &mut Page) -> &mut App {
@@ -50,6 +50,28 @@ fn the_scene_on_screen_is_saved_as_a_script_by_keyboard_at_every_size() {
         page.run_steps(8);
         assert!(!has(&page, "Jupyter") && !has(&page, "Save a file"), "{size}");
     }
+}
+
+/// In a browser the core answers later: the sheet may have been closed meanwhile, and opened again.
+#[test]
+fn an_answer_that_nobody_waits_for_any_more_is_not_taken() {
+    let mut page = page(WIDE);
+    state(&mut page).offer_files();
+    open(&mut page, "v=1&ac=navion");
+    page.key_press(Key::X);
+    page.run_steps(8);
+    press(&mut page, "Python");
+    saved(&mut page);
+    for key in [Key::Escape, Key::X] {
+        page.key_press(key);
+        page.run_steps(8);
+    }
+    let late = CoreRequest::TakeAlong { request: String::new(), number: 1 };
+    let answer = r#"{"text": "late", "file": "late.py", "notices": []}"#;
+    state(&mut page).answer(&late, Ok(answer.to_owned()));
+    page.run_steps(8);
+    assert!(state(&mut page).take_file_request().is_none());
+    assert!(!has(&page, "late.py"));
 }
 
 #[test]
@@ -198,7 +220,7 @@ fn paper_has_the_address_of_the_page_and_an_aircraft_without_a_link_is_printed_t
         (0_u64..900).map(|k| format!("# {}\n", k.wrapping_mul(0x9e37_79b9_7f4a_7c15))).collect();
     let text = noise + &text.replacen("key = \"navion\"", "key = \"own-long\"", 1);
     let kept = serde_json::json!([TextFile::new("own-long", &text)]).to_string();
-    state(&mut page).take_up_aircraft(&kept);
+    state(&mut page).take_up_aircraft(&kept, "");
     open(&mut page, "v=1&ac=own-long&cg=16");
     assert_eq!(app(&page).scenario().aircraft.key, "own-long");
     let html = printed(&mut page);

@@ -53,6 +53,19 @@ pub fn edits_in(text: &str) -> Option<String> {
     table.get(EDITS)?.as_str().map(str::to_owned)
 }
 
+/// The lines of an aircraft file, each with whether it gives this key of the file itself, and not of one of its tables.
+pub fn lines_with_key<'t>(text: &'t str, key: &'t str) -> impl Iterator<Item = (&'t str, bool)> {
+    const QUOTES: [char; 2] = ['"', '\''];
+    let mut is_head = true;
+    text.split_inclusive('\n').map(move |line| {
+        let start = line.trim_start();
+        is_head &= !start.starts_with('[');
+        let rest = start.trim_start_matches(QUOTES).strip_prefix(key);
+        let is_key = rest.is_some_and(|rest| rest.trim_start_matches(QUOTES).trim_start().starts_with('='));
+        (line, is_head && is_key)
+    })
+}
+
 /// An aircraft from its file. A file with `length_unit` is one of bare matrices; others say their `basis`.
 fn read(file: &mut Block<'_>) -> Result<Aircraft, ContentError> {
     file.optional_text(EDITS)?;

@@ -16,7 +16,7 @@ mod text_file;
 mod units;
 
 pub use aircraft::{Aircraft, ContentError, LengthUnit, Status};
-pub use aircraft_file::edits_in;
+pub use aircraft_file::{edits_in, lines_with_key};
 pub use matrix::MatrixFormat;
 pub use text_file::{NotText, TextFile};
 

@@ -147,26 +147,30 @@ impl Records {
 
     /// Takes over from others what is missing here. Nothing that is here is lost.
     pub fn complete(&mut self, others: Self) {
-        self.with(others, Record::complete);
+        if self.person.is_empty() {
+            self.person = others.person;
+        }
+        self.with(others.lessons, Record::complete);
     }
 
-    /// Takes over what was done on another page of this device, see [`Record::join`].
-    pub fn join(&mut self, others: Self) {
-        self.with(others, Record::join);
+    /// Takes over what was done on another page of this device, see [`Record::join`], since both knew the same: the name is that of the
+    /// page where it was changed.
+    pub fn join(&mut self, others: Self, known: &Self) {
+        if self.person == known.person {
+            self.person = others.person;
+        }
+        self.with(others.lessons, Record::join);
     }
 
     /// Whether something was done here that others don't have.
     pub fn adds_to(&self, others: &Self) -> bool {
         let mut both = others.clone();
-        both.join(self.clone());
+        both.join(self.clone(), others);
         both != *others
     }
 
-    fn with(&mut self, others: Self, take_over: impl Fn(&mut Record, Record)) {
-        if self.person.is_empty() {
-            self.person = others.person;
-        }
-        for (address, record) in others.lessons {
+    fn with(&mut self, others: BTreeMap<String, Record>, take_over: impl Fn(&mut Record, Record)) {
+        for (address, record) in others {
             match self.lessons.get_mut(&address) {
                 Some(own) => take_over(own, record),
                 None => {

@@ -95,6 +95,13 @@ fn fragment(window: &Window) -> String {
     window.location().hash().unwrap_or_default()
 }
 
+/// The window of the page around this one, where it stands in a frame.
+pub(super) fn host() -> Option<Window> {
+    let window = web_sys::window()?;
+    let parent = window.parent().ok().flatten()?;
+    (!js_sys::Object::is(&parent, &window)).then_some(parent)
+}
+
 /// A browser may forbid storage, or have none left.
 pub(super) fn storage(window: &Window) -> Option<Storage> {
     window.local_storage().ok().flatten()

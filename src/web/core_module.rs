@@ -46,7 +46,7 @@ impl CoreModule {
 
 async fn answer(request: &CoreRequest) -> Result<String, JsValue> {
     let args = match request {
-        CoreRequest::TakeAlong(request) | CoreRequest::Print(request) => {
+        CoreRequest::TakeAlong { request, .. } | CoreRequest::Print(request) => {
             Array::of2(&"takeAlong".into(), &JSON::parse(request)?)
         }
         CoreRequest::ReadFile { file, mass, fills, .. } => {

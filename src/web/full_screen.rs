@@ -6,6 +6,7 @@ use wasm_bindgen::JsCast as _;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::Document;
 
+use super::address::host;
 use crate::ui::App;
 
 /// Whether a lecture is on, and whether it has the whole screen.
@@ -28,30 +29,22 @@ impl FullScreen {
             ctx.request_repaint();
         }
         self.is_full = is_full;
-        if self.waits {
-            self.waits = !is_full && self.presents && !request(&document);
-        }
         let presents = app.presentation().is_some();
+        // The first gesture may be the one that ends the lecture.
+        if self.waits {
+            self.waits = !is_full && presents && !request(&document);
+        }
         if presents == self.presents {
             return;
         }
         self.presents = presents;
         if presents {
-            self.waits = !request(&document) && is_alone();
+            self.waits = !request(&document) && host().is_none();
         } else if is_full {
             self.is_full = false;
             document.exit_fullscreen();
         }
     }
-}
-
-/// Whether the page stands in no frame, where the screen is the host's to give.
-fn is_alone() -> bool {
-    let window = web_sys::window();
-    window.is_some_and(|window| {
-        let parent = window.parent().ok().flatten();
-        parent.is_some_and(|parent| js_sys::Object::is(&parent, &window))
-    })
 }
 
 /// Asks for the whole screen, and says whether it could. A browser grants it to a key or a click only, some never: then the lecture fills

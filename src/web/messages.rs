@@ -12,6 +12,7 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{MessageEvent, Window};
 
+use super::address::host;
 use crate::export::{Event, Message, Request};
 use crate::ui::{App, Look};
 
@@ -31,11 +32,7 @@ pub struct Host {
 impl Host {
     /// Listens to the page around the frame, if this is one.
     pub fn start(ctx: &Context, app: &mut App) -> Self {
-        let Some(window) = web_sys::window() else { return Self::default() };
-        let parent = window.parent().ok().flatten();
-        let Some(parent) = parent.filter(|parent| !js_sys::Object::is(parent, &window)) else {
-            return Self::default();
-        };
+        let (Some(window), Some(parent)) = (web_sys::window(), host()) else { return Self::default() };
         app.stand_in_frame();
         app.want_events();
         let host = Self { window: Some(parent.clone()), ..Self::default() };

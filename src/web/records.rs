@@ -8,7 +8,7 @@ use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Storage, StorageEvent};
 
-use super::address::storage;
+use super::address::{host, storage};
 use crate::ui::App;
 
 /// Name of the records in the browser's storage.
@@ -51,14 +51,14 @@ impl Item {
         Self { name, known: None }
     }
 
-    /// What was stored since by a page in another tab, or by the last visit.
-    fn of_others(&mut self, storage: &Storage) -> Option<String> {
+    /// What was stored since by a page in another tab, or by the last visit, and what was known of before.
+    fn of_others(&mut self, storage: &Storage) -> Option<[String; 2]> {
         let stored = storage.get_item(self.name).ok().flatten();
         if stored == self.known {
             return None;
         }
-        self.known.clone_from(&stored);
-        stored
+        let known = std::mem::replace(&mut self.known, stored.clone());
+        Some([stored?, known.unwrap_or_default()])
     }
 
     /// Stores it, and says whether there was room.
@@ -74,21 +74,16 @@ impl Item {
 impl KeptRecords {
     /// Takes up what was done before, and greets who hasn't been here. A page in a frame greets nobody: its host has its own words.
     pub fn start(ctx: &Context, app: &mut App) -> Self {
-        let window = web_sys::window();
-        let storage = window.as_ref().and_then(storage);
+        let storage = web_sys::window().as_ref().and_then(storage);
         let (mut records, mut aircraft) = (Item::new(RECORDS), Item::new(AIRCRAFT));
-        if let Some(stored) = storage.as_ref().and_then(|storage| records.of_others(storage)) {
-            app.take_up_records(&stored);
+        if let Some([stored, known]) = storage.as_ref().and_then(|storage| records.of_others(storage)) {
+            app.take_up_records(&stored, &known);
         }
-        if let Some(stored) = storage.as_ref().and_then(|storage| aircraft.of_others(storage)) {
-            app.take_up_aircraft(&stored);
+        if let Some([stored, known]) = storage.as_ref().and_then(|storage| aircraft.of_others(storage)) {
+            app.take_up_aircraft(&stored, &known);
         }
-        let is_alone = window.is_some_and(|window| {
-            let parent = window.parent().ok().flatten();
-            parent.is_some_and(|parent| js_sys::Object::is(&parent, &window))
-        });
         let is_greeted = |storage: &Storage| storage.get_item(GREETED).ok().flatten().is_some();
-        let greets = is_alone && storage.as_ref().is_some_and(|storage| !is_greeted(storage));
+        let greets = host().is_none() && storage.as_ref().is_some_and(|storage| !is_greeted(storage));
         if greets {
             app.greet();
         }
@@ -102,18 +97,18 @@ impl KeptRecords {
         let is_heard = self.heard.take();
         let mut is_wanted = app.take_changed_records().is_some();
         if (is_heard || is_wanted)
-            && let Some(others) = self.records.of_others(storage)
+            && let Some([others, known]) = self.records.of_others(storage)
         {
             // Where both have written at the same moment, something of this page is missing there.
-            is_wanted |= app.take_up_records(&others);
+            is_wanted |= app.take_up_records(&others, &known);
             ctx.request_repaint();
         }
         if is_wanted {
             has_room &= self.records.set(storage, app.records_as_json());
         }
         if let Some(mut aircraft) = app.take_changed_aircraft() {
-            if let Some(others) = self.aircraft.of_others(storage) {
-                app.take_up_aircraft(&others);
+            if let Some([others, known]) = self.aircraft.of_others(storage) {
+                app.take_up_aircraft(&others, &known);
                 aircraft = app.take_changed_aircraft().unwrap_or(aircraft);
             }
             has_room &= self.aircraft.set(storage, aircraft);
@@ -126,6 +121,7 @@ impl KeptRecords {
         if !has_room && !self.is_full {
             self.is_full = true;
             app.tell(FULL);
+            ctx.request_repaint();
         }
     }
 }

@@ -2,13 +2,14 @@
 
 use serde_json::{Value, json};
 
+use crate::content::lines_with_key;
 use crate::export::error::ExportError;
 use crate::export::plane::PlaneReport;
 use crate::export::scene::Scene;
 use crate::scenario::link;
 
-/// Begins the line that holds what was changed.
-const EDITS: &str = "edits = ";
+/// The key of what was changed.
+const EDITS: &str = "edits";
 
 /// The aircraft's own file, with what was changed on it in a line `edits`, in the words and units of links. Opened again it is the
 /// same aircraft, to the last bit.
@@ -20,9 +21,10 @@ pub fn toml(scene: &Scene) -> Result<String, ExportError> {
         return Err(ExportError::Request(problem));
     };
     let edits = link::edits(&scene.scenario);
-    let kept: String = text.split_inclusive('\n').filter(|line| !line.starts_with(EDITS)).collect();
+    let kept: String =
+        lines_with_key(text, EDITS).filter(|(_, is_edits)| !is_edits).map(|(line, _)| line).collect();
     // The words of a link have no sign that a text in quotes would mind.
-    Ok(if edits.is_empty() { kept } else { format!("{EDITS}\"{edits}\"\n{kept}") })
+    Ok(if edits.is_empty() { kept } else { format!("{EDITS} = \"{edits}\"\n{kept}") })
 }
 
 /// The plane on screen as bare matrices, in the form of docs/MATRICES.md, with all states of its source.

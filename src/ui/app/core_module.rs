@@ -17,8 +17,13 @@ pub struct OwnFile {
 /// Something that the core is asked. It answers with JSON: see `docs/JAVASCRIPT.md`.
 #[derive(Clone, Debug)]
 pub enum CoreRequest {
-    /// `takeAlong` of this request.
-    TakeAlong(String),
+    /// `takeAlong`.
+    TakeAlong {
+        /// The request.
+        request: String,
+        /// The how manieth it is: an answer to an older one is out of date.
+        number: u64,
+    },
     /// The same, to be printed.
     Print(String),
     /// `readFile`.
@@ -43,7 +48,7 @@ impl App {
     /// Takes an answer of the core, or the sentence that says why there is none.
     pub fn answer(&mut self, request: &CoreRequest, answer: Result<String, String>) {
         match request {
-            CoreRequest::TakeAlong(_) => self.take(answer),
+            CoreRequest::TakeAlong { number, .. } => self.take(*number, answer),
             CoreRequest::Print(_) => self.take_page(answer),
             CoreRequest::ReadFile { number, .. } => self.take_review(*number, answer),
         }
@@ -55,7 +60,9 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         {
             let answer = match &request {
-                CoreRequest::TakeAlong(request) | CoreRequest::Print(request) => json::take_along(request),
+                CoreRequest::TakeAlong { request, .. } | CoreRequest::Print(request) => {
+                    json::take_along(request)
+                }
                 CoreRequest::ReadFile { file, mass, fills, .. } => {
                     let mass = mass.as_ref().map(|mass| mass.bytes.as_slice());
                     json::read_file(&file.name, &file.bytes, fills, mass)

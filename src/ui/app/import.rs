@@ -8,7 +8,7 @@ use super::App;
 use super::actions::Action;
 use super::core_module::{CoreRequest, OwnFile};
 use super::course::FileRequest;
-use crate::content::{Aircraft, FILES, TextFile, edits_in};
+use crate::content::{Aircraft, FILES, TextFile, edits_in, lines_with_key};
 use crate::scenario::{Lock, Scenario, link};
 use crate::ui::curtain::Curtain;
 use crate::ui::import::{ImportWish, Importing, ReviewSheet, import_sheet_ui};
@@ -59,10 +59,12 @@ impl App {
         self.ask(CoreRequest::ReadFile { file, mass, fills, number: self.panes.files_asked });
     }
 
-    /// Takes the review of a file, unless another has been asked for since.
+    /// Takes the review of a file, unless the sheet was closed before it came, or another has been asked for since.
     pub(super) fn take_review(&mut self, number: u64, answer: Result<String, String>) {
         let is_last = number == self.panes.files_asked;
-        let Some(sheet) = self.panes.import.as_mut().filter(|_| is_last) else { return };
+        let Some(sheet) = self.panes.import.as_mut().filter(|sheet| is_last && sheet.is_waiting()) else {
+            return;
+        };
         sheet.take(answer.and_then(|json| {
             serde_json::from_str::<ReviewSheet>(&json)
                 .map_err(|error| format!("The answer can’t be read: {error}."))
@@ -182,12 +184,21 @@ impl App {
         scenario
     }
 
-    /// Takes up the aircraft that are kept on this device, as JSON. One that can't be read any more stays there, and one that another
-    /// tab has kept by the name of one that is here gets a name of its own.
-    pub fn take_up_aircraft(&mut self, json: &str) {
-        let Ok(files) = serde_json::from_str::<Vec<TextFile>>(json) else { return };
+    /// Takes up the aircraft that are kept on this device, as JSON, where `known` were kept when this page last read or wrote them. What
+    /// another tab has deleted is deleted here, and what was deleted here stays so. One that can't be read any more stays there, and one
+    /// that another tab has kept by the name of one that is here gets a name of its own.
+    pub fn take_up_aircraft(&mut self, json: &str, known: &str) {
+        let read = |json: &str| serde_json::from_str::<Vec<TextFile>>(json).ok();
+        let Some(files) = read(json) else { return };
+        let known = read(known).unwrap_or_default();
+        for gone in known.iter().filter(|file| !files.contains(file)) {
+            if self.own_files.contains(gone) {
+                self.aircraft.retain(|aircraft| aircraft.key != gone.name);
+                self.own_files.retain(|file| file != gone);
+            }
+        }
         for file in files {
-            if self.own_files.contains(&file) {
+            if self.own_files.contains(&file) || known.contains(&file) {
                 continue;
             }
             if let Ok(aircraft) = Aircraft::own("aircraft", &file.text) {
@@ -227,12 +238,6 @@ fn own_key(name: &str, number: usize) -> String {
 
 /// The text of an aircraft file with another key.
 fn with_key(text: &str, key: &str) -> String {
-    let mut is_head = true;
-    let lines = text.split_inclusive('\n').map(|line| {
-        is_head &= !line.trim_start().starts_with('[');
-        let is_key =
-            line.trim_start().strip_prefix("key").is_some_and(|rest| rest.trim_start().starts_with('='));
-        if is_head && is_key { format!("key = \"{key}\"\n") } else { line.to_owned() }
-    });
-    lines.collect()
+    let lines = lines_with_key(text, "key");
+    lines.map(|(line, is_key)| if is_key { format!("key = \"{key}\"\n") } else { line.to_owned() }).collect()
 }

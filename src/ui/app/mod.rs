@@ -103,6 +103,8 @@ struct Panes {
     embed: Option<Embedding>,
     /// The sheet that takes the scene along, where it is open.
     take_along: Option<TakeAlong>,
+    /// How often something was taken along.
+    times_taken: u64,
     /// A text that is to be copied in the next frame.
     copied: Option<String>,
     /// The sheet of a person's own aircraft, where it is open.

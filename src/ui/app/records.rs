@@ -13,12 +13,13 @@ use crate::words;
 const REPORT: &str = "eigenwing-report.html";
 
 impl App {
-    /// Takes up what was done on this device before, or in another tab, in the lesson that is open too. Says whether something was done
-    /// here that isn't there. What can't be read is left out: it was damaged outside this page.
-    pub fn take_up_records(&mut self, json: &str) -> bool {
+    /// Takes up what was done on this device before, or in another tab, in the lesson that is open too, where `known` was kept when this
+    /// page last read or wrote it. Says whether something was done here that isn't there. What can't be read is left out: it was
+    /// damaged outside this page.
+    pub fn take_up_records(&mut self, json: &str, known: &str) -> bool {
         let Ok(others) = Records::read(json) else { return true };
+        self.records.join(others.clone(), &Records::read(known).unwrap_or_default());
         let adds = self.records.adds_to(&others);
-        self.records.join(others.clone());
         // A lecture does so when it is over.
         if !self.view.presents {
             self.join_lesson(&others);

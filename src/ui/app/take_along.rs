@@ -112,15 +112,18 @@ impl App {
         }
         self.panes.take_along = shown.is_wanted.then_some(sheet);
         if let Some(target) = shown.wanted {
-            let request = self.request_for(target);
-            self.ask(CoreRequest::TakeAlong(request.to_string()));
+            let request = self.request_for(target).to_string();
+            self.panes.times_taken += 1;
+            self.ask(CoreRequest::TakeAlong { request, number: self.panes.times_taken });
             ui.request_repaint();
         }
     }
 
-    /// Saves or copies what the core has written, unless the sheet was closed before it came.
-    pub(super) fn take(&mut self, answer: Result<String, String>) {
-        let Some(sheet) = &mut self.panes.take_along else { return };
+    /// Saves or copies what the core has written, unless the sheet was closed before it came, or waits for something else.
+    pub(super) fn take(&mut self, number: u64, answer: Result<String, String>) {
+        let is_last = number == self.panes.times_taken;
+        let waiting = self.panes.take_along.as_mut().filter(|sheet| is_last && sheet.is_waiting());
+        let Some(sheet) = waiting else { return };
         let written = answer.and_then(|json| read(&json));
         let (said, written) = match written {
             Ok(written) => (Ok(written.notices.clone()), Some(written)),

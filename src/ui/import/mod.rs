@@ -73,6 +73,11 @@ impl Importing {
         self.waits = true;
     }
 
+    /// Whether an answer is on its way.
+    pub const fn is_waiting(&self) -> bool {
+        self.waits
+    }
+
     /// Takes a review, or why there is none.
     pub fn take(&mut self, review: Result<ReviewSheet, String>) {
         self.waits = false;

@@ -65,6 +65,11 @@ impl TakeAlong {
         (self.waits, self.said) = (Some(target), None);
     }
 
+    /// Whether something is on its way.
+    pub const fn is_waiting(&self) -> bool {
+        self.waits.is_some()
+    }
+
     /// Whether what has come is to be copied. It is here, or can't be had.
     pub fn take(&mut self, said: Result<Vec<String>, String>) -> bool {
         (self.waits, self.said) = (None, Some(said));
