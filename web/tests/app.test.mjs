@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { middle, open, until } from "./page.mjs";
+import { click, doubleClick, frames, middle, open, rest, tap, until } from "./page.mjs";
 
 const PITCH_STIFFNESS = "pitch stiffness C_mα";
 
@@ -71,7 +71,7 @@ test("a slider moved by keyboard moves poles and response, and undo takes it bac
   const before = await state();
   const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
   // A click beside the handle moves it and gives focus; Delete goes back to the reference.
-  await page.mouse.click(x + width / 4, y);
+  await click(page, { x: x + width / 4, y });
   await until(state, (now) => now.parameters.cm_alpha !== before.parameters.cm_alpha, "moved by the click");
   await page.keyboard.press("Delete");
   await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "the reference again");
@@ -91,32 +91,40 @@ test("a slider dragged by mouse moves poles and response, and a double click res
   const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
   await page.mouse.move(x + width / 6, y);
   await page.mouse.down();
-  for (let i = 1; i <= 10; i += 1) await page.mouse.move(x + width / 6 + i * (width / 40), y);
+  await frames(page);
+  for (let i = 1; i <= 10; i += 1) {
+    await page.mouse.move(x + width / 6 + i * (width / 40), y);
+    await frames(page);
+  }
   await page.mouse.up();
   const after = await until(state, (now) => now.analysis.longitudinal.static_stability === "unstable", "statically unstable");
   assert.ok(after.analysis.longitudinal.modes.some((mode) => /divergence$/.test(mode.name) && mode.time_to_double > 0));
-  await page.mouse.dblclick(x, y);
+  await rest(page);
+  await doubleClick(page, { x, y });
   await until(state, (now) => now.parameters.cm_alpha === before.parameters.cm_alpha, "the reference again");
 });
 
 test("a small page, which is drawn fast, comes to rest as a large one does", async (t) => {
-  const { ready, slider, state, rest } = await open(t, { viewport: { width: 390, height: 500 } });
+  const { page, ready, slider, state } = await open(t, { viewport: { width: 390, height: 500 } });
   await ready();
-  await rest();
+  await rest(page);
   await slider(PITCH_STIFFNESS).fill("-0.5");
   await until(state, (now) => now.parameters.cm_alpha === -0.5, "set");
-  await rest();
+  await rest(page);
 });
 
 test("the wheel over sliders and numbers edits nothing", async (t) => {
-  const { page, ready, state, slider, drawCallsIn } = await open(t);
+  const { page, ready, state, slider } = await open(t);
   await ready();
   const before = await state();
   const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
   for (const over of [x, x + width / 2 + 40]) {
     await page.mouse.move(over, y);
+    const heard = page.evaluate(() => new Promise((heard) => addEventListener("wheel", () => heard(), { once: true, capture: true })));
+    await frames(page);
     await page.mouse.wheel(0, 120);
-    await drawCallsIn(200);
+    await heard;
+    await rest(page);
   }
   assert.deepEqual((await state()).parameters, before.parameters);
 });
@@ -126,7 +134,7 @@ test("a finger moves a slider on a phone", async (t) => {
   await ready();
   const before = await state();
   const { x, y, width } = await middle(slider("shift of the centre of gravity Δx_cg/c"));
-  await page.touchscreen.tap(x - width / 4, y);
+  await tap(page, { x: x - width / 4, y });
   const after = await until(state, (now) => now.parameters.cg !== before.parameters.cg, "moved");
   assert.ok(after.parameters.cg < before.parameters.cg);
 });
@@ -149,8 +157,7 @@ test("an absurd number is refused with a sentence beside the field and nothing i
   await ready();
   const before = await state();
   const field = page.getByRole("textbox", { name: "pitch stiffness C_mα, typed" });
-  const { x, y } = await middle(field);
-  await page.mouse.click(x, y);
+  await click(page, await middle(field));
   await page.keyboard.press("Control+a");
   await page.keyboard.type("1e300");
   await page.keyboard.press("Enter");

@@ -55,8 +55,8 @@ test("a table that is dropped becomes an aircraft with named modes, in the link 
   assert.ok((await page.evaluate(() => location.href)).length < 2000);
   await page.evaluate(() => history.replaceState(null, "", location.pathname));
   await page.reload();
-  const there = () => page.evaluate(() => localStorage.getItem("eigenwing.aircraft"));
-  await until(there, (kept) => kept.includes(key), "it is kept");
+  await until(state, (now) => now.aircraft === key, "the last scene");
+  assert.ok((await page.evaluate(() => localStorage.getItem("eigenwing.aircraft"))).includes(key), "it is kept");
   assert.deepEqual(seen.errors, []);
 });
 

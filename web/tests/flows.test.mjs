@@ -2,8 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { setTimeout as sleep } from "node:timers/promises";
-import { middle, open, until } from "./page.mjs";
+import { click, doubleClick, frames, middle, open, pass, place, tap, until } from "./page.mjs";
 
 const PITCH_STIFFNESS = "pitch stiffness C_mα";
 const PLAYBACK = "Time of the playback in s";
@@ -12,14 +11,8 @@ const hands = (page) => ({
   button: (name) => page.getByRole("button", { name, exact: true }),
   heading: (name) => page.getByRole("heading", { name, exact: true }),
   // With the mouse, where it is drawn.
-  click: async (locator) => {
-    const { x, y } = await middle(locator);
-    await page.mouse.click(x, y);
-  },
-  tap: async (locator) => {
-    const { x, y } = await middle(locator);
-    await page.touchscreen.tap(x, y);
-  },
+  press: async (locator) => click(page, await middle(locator)),
+  tap: async (locator) => tap(page, await middle(locator)),
   // How many there are, in the end.
   counts: (locator, count, what) => until(() => locator.count(), (now) => now === count, what),
   playback: async () => Number(await page.getByRole("slider", { name: PLAYBACK }).inputValue()),
@@ -137,7 +130,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     await counts(heading("Keys"), 0, "closed by Esc");
     await press("?");
     await counts(heading("Keys"), 1, "the sheet again");
-    await hands(page).click(button("Close"));
+    await hands(page).press(button("Close"));
     await counts(heading("Keys"), 0, "closed by its button");
   });
 
@@ -153,7 +146,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     await counts(page.getByRole("slider", { name: "pitch damping C_mq" }), 1, "the one that was wanted");
     await press("Escape");
     await rest();
-    await hands(page).click(button("Show all sliders"));
+    await hands(page).press(button("Show all sliders"));
     await counts(sliders, all, "all again");
   });
 
@@ -162,7 +155,7 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
     await counts(page.getByText("○ pinned: Navion"), 1, "pinned");
     const before = await state();
     const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
-    await page.mouse.click(x - width / 4, y);
+    await click(page, { x: x - width / 4, y });
     await until(state, (now) => now.parameters.cm_alpha < before.parameters.cm_alpha, "stiffer");
     await until(() => page.getByText(/Pinned → now/).count(), (count) => count >= 1, "before and after on the cards");
     await page.keyboard.press("g");
@@ -174,19 +167,19 @@ test("by keyboard: play, scrub, maximise, help, search, pin and compare", async 
 
 test("by mouse: fly a mode, maximise by double click, drag a pole", async (t) => {
   const { page, ready, state, seen, rest, drawCallsIn } = await open(t);
-  const { button, heading, click, counts, playback } = hands(page);
+  const { button, heading, press, counts, playback } = hands(page);
   await ready();
 
   await t.test("a mode flown from its card plays, pauses and is given up", async () => {
     const before = await state();
-    await click(button("Fly the short period alone"));
+    await press(button("Fly the short period alone"));
     await until(state, (now) => now.disturbance === "One mode", "flown alone");
     await until(playback, (time) => time > 0.2, "it plays at once");
-    await click(button("Pause"));
+    await press(button("Pause"));
     await counts(button("Play"), 1, "paused");
     await rest();
     assert.equal(await drawCallsIn(1000), 0);
-    await click(button("Stop flying the short period alone"));
+    await press(button("Stop flying the short period alone"));
     await until(state, (now) => now.disturbance === before.disturbance, "as before");
   });
 
@@ -195,8 +188,7 @@ test("by mouse: fly a mode, maximise by double click, drag a pole", async (t) =>
       for (const panes of [1, 2]) {
         // The clicks of the last pair are over.
         await rest();
-        const { x, y } = await middle(heading(pane));
-        await page.mouse.dblclick(x, y);
+        await doubleClick(page, await middle(heading(pane)));
         await counts(page.getByRole("heading", { name: /^(Aircraft|Pole map)$/ }), panes, `${panes} panes after ${pane}`);
       }
     }
@@ -207,12 +199,14 @@ test("by mouse: fly a mode, maximise by double click, drag a pole", async (t) =>
     const { x, y } = await middle(page.getByRole("button", { name: /^Short period pole, / }));
     await page.mouse.move(x, y);
     await page.mouse.down();
+    await frames(page);
     for (let i = 1; i <= 6; i += 1) {
       await page.mouse.move(x - 3 * i, y - 4 * i);
-      await sleep(30);
+      await frames(page);
     }
     await page.mouse.up();
-    const [was, is] = [before, await until(state, (now) => now.parameters.cm_alpha !== before.parameters.cm_alpha, "moved")];
+    await frames(page);
+    const [was, is] = [before, await state()];
     const [from, to] = [was, is].map((now) => now.analysis.longitudinal.modes[0]);
     assert.ok(to.re < from.re && to.im > from.im, `${to.re}, ${to.im}`);
     // Dimensional derivatives and matrix follow from the coefficients.
@@ -227,7 +221,7 @@ test("by mouse: fly a mode, maximise by double click, drag a pole", async (t) =>
 });
 
 test("by finger on a phone: every pane, and a slider drawn along", async (t) => {
-  const { page, ready, state, seen } = await open(t, { viewport: { width: 390, height: 844 }, touch: true });
+  const { page, ready, state, seen, rest } = await open(t, { viewport: { width: 390, height: 844 }, touch: true });
   const { button, tap, counts } = hands(page);
   await ready();
   for (const [pane, something] of [
@@ -244,29 +238,32 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
   const devtools = await page.context().newCDPSession(page);
   const finger = (type, points) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await finger("touchStart", [{ x, y }]);
+  await frames(page);
   for (let i = 1; i <= 6; i += 1) {
     await finger("touchMove", [{ x: x - (i * width) / 24, y: y + i }]);
-    await sleep(30);
+    await frames(page);
   }
+  const after = await state();
+  assert.ok(after.parameters.cg < before.parameters.cg, "drawn along");
   await finger("touchEnd", []);
-  const after = await until(state, (now) => now.parameters.cg < before.parameters.cg, "drawn along");
-  await sleep(300);
+  await rest();
   assert.deepEqual((await state()).parameters, after.parameters, "it stays where the finger left it");
 
   // Draws fingers, which are points of the screen, along together.
   const swipe = async (fingers, dx, dy) => {
     const at = (i) => fingers.map((point, id) => ({ x: point.x + (i * dx) / 6, y: point.y + (i * dy) / 6, id }));
     await finger("touchStart", at(0));
+    await frames(page);
     for (let i = 1; i <= 6; i += 1) {
       await finger("touchMove", at(i));
-      await sleep(30);
+      await frames(page);
     }
-    await sleep(300);
     await finger("touchEnd", []);
+    await rest();
   };
   const map = await page.getByRole("img", { name: /^Pole map, All modes/ }).boundingBox();
-  const pole = () => middle(page.getByRole("button", { name: /^Short period pole, / }));
-  const row = () => middle(page.getByRole("slider", { name: "airspeed V", exact: true }));
+  const pole = () => place(page.getByRole("button", { name: /^Short period pole, / }));
+  const row = () => place(page.getByRole("slider", { name: "airspeed V", exact: true }));
   const [poleBefore, rowBefore] = [await pole(), await row()];
   await swipe([{ x: map.x + 14, y: map.y + 24 }], 3, -60);
   await until(row, (now) => now.y < rowBefore.y - 30, "up on the map scrolls the sliders below it");
@@ -274,7 +271,6 @@ test("by finger on a phone: every pane, and a slider drawn along", async (t) => 
   await swipe([scrolled], 3, 40);
   await until(row, (now) => now.y > scrolled.y + 20, "down on a slider scrolls too");
   assert.deepEqual((await state()).parameters, after.parameters, "and nothing is set");
-  // Its range may still ease by a fraction of a point to the centre of gravity that was drawn.
   const poleAfter = await pole();
   assert.ok(Math.hypot(poleAfter.x - poleBefore.x, poleAfter.y - poleBefore.y) < 2, "nor is the map moved");
   await swipe([{ x: map.x + 50, y: map.y + 60 }, { x: map.x + 90, y: map.y + 80 }], -20, 25);
@@ -299,7 +295,11 @@ test("on a screen of two pixels a point the page is sharp, whole, at rest, and w
   const { x, y, width } = await middle(lift);
   await page.mouse.move(x, y);
   await page.mouse.down();
-  for (let i = 1; i <= 4; i += 1) await page.mouse.move(x + (i * width) / 16, y);
+  await frames(page);
+  for (let i = 1; i <= 4; i += 1) {
+    await page.mouse.move(x + (i * width) / 16, y);
+    await frames(page);
+  }
   await page.mouse.up();
   const [least, most] = [Number(await lift.getAttribute("min")), Number(await lift.getAttribute("max"))];
   // Three quarters of the way along the slider, but for the ends of its rail.
@@ -327,7 +327,10 @@ function stayBehind() {
 test("a page loaded behind another becomes ready when it comes to the front", async (t) => {
   const { page, ready, seen, state } = await open(t, { before: stayBehind });
   await until(() => page.evaluate(() => typeof window.eigenwing), (type) => type === "object", "the program has begun");
-  await sleep(1500);
+  // A page that isn't seen goes on by timers: its own have had their turns between these.
+  await page.evaluate(async () => {
+    for (let turn = 0; turn < 30; turn += 1) await new Promise((passed) => setTimeout(passed, 50));
+  });
   assert.equal(await page.locator("#failure").isVisible(), false);
   assert.equal(await page.locator("#welcome").isVisible(), true, "no frame has been drawn");
   await page.evaluate(() => window.comeToFront());
@@ -369,15 +372,16 @@ test("with everything open an idle page draws nothing, and a drag is timed", asy
     const { x, y, width } = await middle(slider(PITCH_STIFFNESS));
     await page.mouse.move(x, y);
     await page.mouse.down();
-    await sleep(300);
+    await frames(page);
     const times = await frameTimes(page, async () => {
       // To the left in the end, where the aircraft is stiffer and has all its modes.
       for (let i = 1; i <= 88; i += 1) {
         await page.mouse.move(x + (width / 5) * Math.sin(i / 8), y);
-        await sleep(25);
+        await pass(page, 25, 1);
       }
     });
     await page.mouse.up();
+    await frames(page);
     const at = (fraction) => times[Math.floor(fraction * (times.length - 1))].toFixed(1);
     t.diagnostic(`a frame of a drag ${what}: median ${at(0.5)} ms, p95 ${at(0.95)} ms of processor time, of ${times.length}`);
     assert.ok((await state()).parameters.cm_alpha < before.parameters.cm_alpha);

@@ -2,43 +2,28 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { middle, open, until } from "./page.mjs";
+import { click, middle, open, place, tap, until } from "./page.mjs";
 
 const CHAPTER = "Longitudinal modes";
 
 // What a person does with buttons: by mouse or by finger, after scrolling to where they are.
 function hands(page, { touch = false } = {}) {
   const button = (name) => page.getByRole("button", { name, exact: true });
-  // Where it is once the page has drawn it there twice: what has just come may still move.
-  const still = async (locator) => {
-    let last;
-    await until(
-      () => middle(locator),
-      (now) => {
-        const stays = last?.x === now.x && last?.y === now.y && Date.now() - last.since > 250;
-        if (last?.x !== now.x || last?.y !== now.y) last = { ...now, since: Date.now() };
-        return stays;
-      },
-      "it stays where it is",
-    );
-    return last;
-  };
   const reach = async (locator) => {
     const { height } = page.viewportSize();
-    let { x, y } = await still(locator);
+    let { x, y } = await middle(locator);
     for (let i = 0; (y > height - 12 || y < 60) && i < 60; i += 1) {
       // The pane with the lesson scrolls under the pointer.
       await page.mouse.move(x, height - 60);
       await page.mouse.wheel(0, Math.max(-240, Math.min(240, y - height / 2)));
       const before = y;
-      await until(() => middle(locator), (now) => Math.abs(now.y - before) > 1, "it scrolls");
-      ({ x, y } = await still(locator));
+      await until(() => place(locator), (now) => Math.abs(now.y - before) > 1, "it scrolls");
+      ({ x, y } = await middle(locator));
     }
     return { x, y };
   };
   const press = async (locator) => {
-    const { x, y } = await reach(locator);
-    await (touch ? page.touchscreen.tap(x, y) : page.mouse.click(x, y));
+    await (touch ? tap : click)(page, await reach(locator));
   };
   return { button, press, counts: (locator, count, what) => until(() => locator.count(), (now) => now === count, what) };
 }

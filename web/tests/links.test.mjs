@@ -2,8 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { setTimeout as sleep } from "node:timers/promises";
-import { open, until } from "./page.mjs";
+import { click, frames, middle, open, rest, until } from "./page.mjs";
 
 const SHARE = /^Share link/;
 
@@ -20,6 +19,7 @@ async function addressBecomes(page, expected) {
 test("the address follows an edit, and opened elsewhere it has the same poles to the last bit", async (t) => {
   const first = await open(t);
   await first.ready();
+  await rest(first.page);
   assert.equal(fragment(first.page), "", "clean until something differs");
   await first.slider("pitch damping C_mq").fill("-12.5");
   await addressBecomes(first.page, "#v=1&ac=navion&cm_q=-12.5&elevator=-1");
@@ -40,15 +40,21 @@ test("the address follows an edit, and opened elsewhere it has the same poles to
 test("the address waits until a drag has ended", async (t) => {
   const { page, ready, state, slider } = await open(t);
   await ready();
-  const { x, y, width, height } = await slider("pitch stiffness C_mα").boundingBox();
-  await page.mouse.move(x + width / 2, y + height / 2);
+  const { x, y, width } = await middle(slider("pitch stiffness C_mα"));
+  await page.mouse.move(x, y);
   await page.mouse.down();
+  await frames(page);
+  let before = (await state()).parameters.cm_alpha;
   for (let i = 1; i <= 8; i += 1) {
-    await page.mouse.move(x + width / 2 - i * (width / 60), y + height / 2);
-    await sleep(150);
+    await page.mouse.move(x - i * (width / 60), y);
+    const drawn = await until(state, ({ parameters }) => parameters.cm_alpha < before, "drawn along");
+    before = drawn.parameters.cm_alpha;
+    assert.equal(await page.evaluate(() => location.hash), "");
   }
-  assert.equal(fragment(page), "");
+  await rest(page);
+  assert.equal(await page.evaluate(() => location.hash), "", "nor while it rests there");
   await page.mouse.up();
+  await frames(page);
   const { cm_alpha } = (await state()).parameters;
   await addressBecomes(page, `#v=1&ac=navion&cm_alpha=${cm_alpha}&elevator=-1`);
 });
@@ -93,8 +99,8 @@ test("a damaged link opens what it can and says what it left out, in the page an
     await page.locator("#mirror").getByText(sentence).first().waitFor({ state: "attached" });
   }
   assert.match(await page.locator("#announcements").textContent(), /newer version/);
-  await sleep(1200);
-  assert.equal(fragment(page), damaged, "as the sender wrote it until the first edit");
+  await rest(page);
+  assert.equal(await page.evaluate(() => location.hash), damaged, "as the sender wrote it until the first edit");
   await page.getByRole("button", { name: "Dismiss" }).dispatchEvent("click");
   await page.locator("#mirror").getByText(/made by a newer version/).waitFor({ state: "detached" });
   await slider("pitch damping C_mq").fill("-12.5");
@@ -118,12 +124,11 @@ test("button and key copy the whole address and say so; typing the letter into a
   await page.keyboard.press("l");
   await until(clipboard, (text) => text === url, `${url} by key`);
   await clear();
-  const { x, y, width, height } = await page
-    .getByRole("textbox", { name: "pitch damping C_mq, typed" })
-    .boundingBox();
-  await page.mouse.click(x + width / 2, y + height / 2);
+  const field = page.getByRole("textbox", { name: "pitch damping C_mq, typed" });
+  await click(page, await middle(field));
   await page.keyboard.type("l");
-  await sleep(500);
+  await until(() => field.inputValue(), (typed) => typed.includes("l"), "the letter stands in the field");
+  await rest(page);
   assert.equal(await clipboard(), "nothing");
   assert.deepEqual([...seen.errors, ...seen.console], []);
 });

@@ -3,8 +3,7 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { test } from "node:test";
-import { setTimeout as sleep } from "node:timers/promises";
-import { open, until } from "./page.mjs";
+import { frames, open, rest, until } from "./page.mjs";
 
 test("the page becomes ready, without a complaint and without asking any other host", async (t) => {
   const { page, ready, state, seen, foreignRequests } = await open(t);
@@ -24,18 +23,26 @@ test("the canvas fills the window", async (t) => {
 });
 
 test("nothing is drawn while nothing moves", async (t) => {
-  const { ready, drawCallsIn } = await open(t);
+  const { ready, rest, drawCallsIn } = await open(t);
   await ready();
-  // The first frames settle sizes and ranges; on a busy machine without a graphics card each takes a while.
-  for (let i = 0; i < 20 && (await drawCallsIn(500)) > 0; i += 1);
+  // The first frames settle sizes and ranges.
+  await rest();
   assert.equal(await drawCallsIn(2000), 0);
 });
 
 test("the heading can be read and the bar moves before the program has arrived", async (t) => {
-  const { page, ready, screenshot, progress } = await open(t, { server: { slowly: 60 }, waitUntil: "commit" });
+  let watch;
+  const watched = new Promise((resolve) => (watch = resolve));
+  // Each piece comes once the bar has moved with those before it; where it doesn't move, the values tell.
+  const sent = async (piece) => {
+    const progress = await watched;
+    await until(progress, (values) => values.length >= piece - 1, `the bar before piece ${piece}`).catch(() => {});
+  };
+  const { page, ready, screenshot, progress } = await open(t, { server: { slowly: 12, sent }, waitUntil: "commit" });
   assert.equal(await page.getByRole("heading", { level: 1 }).innerText(), "Eigenwing");
   assert.equal(await page.getByRole("progressbar").isVisible(), true);
   await screenshot("loading");
+  watch(progress);
   await ready();
   const values = await progress();
   assert.ok(values.length > 5, `the bar showed only ${values}`);
@@ -94,7 +101,13 @@ test("a program that stops keeps the scene, and offers a report in which nobody 
 });
 
 test("graphics that are lost and given back bring the scene back", async (t) => {
-  const { page, ready, state } = await open(t);
+  // How often the page has begun again by itself.
+  const before = () => {
+    const again = () => sessionStorage.setItem("again", Number(sessionStorage.getItem("again")) + 1);
+    navigation.addEventListener("navigate", ({ navigationType }) => navigationType === "reload" && again());
+  };
+  const { page, ready, state } = await open(t, { before });
+  const again = () => page.evaluate(() => Number(sessionStorage.getItem("again")));
   await ready();
   await page.getByRole("slider", { name: "pitch stiffness C_mα" }).fill("-0.5");
   await until(async () => page.url(), (url) => url.includes("cm_alpha=-0.5"), "the scene in the address");
@@ -110,11 +123,19 @@ test("graphics that are lost and given back bring the scene back", async (t) => 
   await page.locator("#welcome").waitFor({ state: "hidden" });
   assert.match(JSON.stringify(await until(state, Boolean, "the program")), /-0\.5/);
   // Where they don't last the page doesn't begin again and again.
-  await page.evaluate(() => (window.lost = undefined));
+  assert.equal(await again(), 1);
+  await page.evaluate(() => {
+    window.lost = undefined;
+    // However long ago that was by now.
+    sessionStorage.setItem("eigenwing.restored", Date.now());
+    document.getElementById("eigenwing").addEventListener("webglcontextrestored", () => (window.restored = true));
+  });
   await graphics("loseContext");
   await page.getByRole("heading", { name: "The graphics were interrupted" }).waitFor();
   await graphics("restoreContext");
-  await sleep(1500);
+  await until(() => page.evaluate(() => window.restored), Boolean, "they are given back");
+  await frames(page);
+  assert.equal(await again(), 1);
   assert.ok(await page.getByRole("heading", { name: "The graphics were interrupted" }).isVisible());
 });
 
@@ -158,13 +179,13 @@ async function hosted(t, attributes = "") {
 test("in a frame the page takes the keyboard only once it is used", async (t) => {
   const { host, frame } = await hosted(t);
   await frame.locator("#welcome").waitFor({ state: "hidden" });
-  await sleep(500);
+  await rest(host.frames()[1]);
   const active = () => host.evaluate(() => document.activeElement.id);
   assert.equal(await active(), "answer");
   await host.keyboard.type("42");
   assert.equal(await host.locator("#answer").inputValue(), "42");
   await frame.locator("#eigenwing").click({ position: { x: 450, y: 20 } });
-  assert.equal(await active(), "frame");
+  await until(active, (id) => id === "frame", "the frame has the keyboard");
 });
 
 test("in a frame without an origin the page says why it can’t start", async (t) => {

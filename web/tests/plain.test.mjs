@@ -27,7 +27,7 @@ test("a slider of the plain page moves the modes and the address, and what can't
   const stiffness = page.getByRole("slider", { name: "Pitch stiffness cm_alpha" });
   await stiffness.fill("0.3");
   await until(verdict, (said) => said.startsWith("Dynamically unstable"), "another verdict");
-  assert.match(page.url(), /cm_alpha=0\.3/);
+  await until(async () => page.url(), (url) => /cm_alpha=0\.3/.test(url), "in the address");
   // A knob of the aircraft brings the coefficients along.
   await page.getByRole("button", { name: "Reset the aircraft" }).click();
   await until(verdict, (said) => said.startsWith("Dynamically stable"), "the Navion again");

@@ -65,7 +65,7 @@ test("a platform is told status, score and a note, with which the lesson goes on
   const kept = () => page.evaluate(() => window.kept);
   const lesson = page.frameLocator("#package").frameLocator("#lesson");
   await lesson.getByText("Does the nose come back?").first().waitFor({ state: "attached" });
-  assert.equal((await kept())["cmi.core.lesson_status"], "incomplete");
+  await until(kept, (now) => now["cmi.core.lesson_status"] === "incomplete", "begun");
   await lesson.getByText("Yes, it does.").first().dispatchEvent("click");
   await lesson.getByRole("button", { name: "Answer" }).dispatchEvent("click");
   await until(kept, (now) => now["cmi.core.lesson_status"] === "completed", "completed");

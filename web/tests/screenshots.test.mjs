@@ -13,9 +13,9 @@ for (const { touch, ...viewport } of VIEWPORTS) {
   for (const colorScheme of ["light", "dark"]) {
     const name = `${viewport.width}x${viewport.height}-${colorScheme}`;
     test(`the page at ${name}`, async (t) => {
-      const { ready, drawCallsIn, screenshot } = await open(t, { viewport, colorScheme, touch });
+      const { ready, rest, screenshot } = await open(t, { viewport, colorScheme, touch });
       await ready();
-      await drawCallsIn(300);
+      await rest();
       await screenshot(name);
     });
   }

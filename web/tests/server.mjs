@@ -3,7 +3,6 @@
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname } from "node:path";
-import { setTimeout as sleep } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
@@ -28,11 +27,11 @@ function compressed(name, files) {
   return existsSync(`${path}.gz`) ? readFileSync(`${path}.gz`) : gzipSync(readFileSync(path), { level: 1 });
 }
 
-// `missing` matches names that are not found; `slowly` sends the program in that many pieces,
-// with pauses of 50 ms.
+// `missing` matches names that are not found; `slowly` sends the program in that many pieces, each once `sent` of its number, from 1 on,
+// has come true.
 // `files` are texts by their names, beside those of the page or in their place; a test may change them later. It may also set
 // `isDown` of the server, which then answers nothing.
-export async function serve({ missing = /^$/, slowly = 1, files = {} } = {}) {
+export async function serve({ missing = /^$/, slowly = 1, sent, files = {} } = {}) {
   const state = { isDown: false };
   const server = createServer(async (request, response) => {
     if (state.isDown) return request.socket.destroy();
@@ -50,7 +49,7 @@ export async function serve({ missing = /^$/, slowly = 1, files = {} } = {}) {
       });
       const pieces = name.endsWith(".wasm") ? slowly : 1;
       for (let piece = 0; piece < pieces; piece++) {
-        if (piece > 0) await sleep(50);
+        if (piece > 0) await sent(piece + 1);
         response.write(body.subarray((piece * body.length) / pieces, ((piece + 1) * body.length) / pieces));
       }
       response.end();

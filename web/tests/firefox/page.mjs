@@ -49,7 +49,7 @@ export async function open(t, { viewport = { width: 1440, height: 900 }, fragmen
     if (location.protocol === "http:") localStorage.setItem("eigenwing.greeted", "yes");
   });
 
-  const ready = () => until(() => page.evaluate(() => document.getElementById("welcome").hidden), Boolean, "the first frame");
+  const ready = () => until(() => page.evaluate(() => document.getElementById("welcome").hidden), Boolean, "the first frame", LONGEST);
   await page.goto(server.url + fragment);
   await ready();
 
