@@ -34,7 +34,7 @@ for (const [what, options, act, there] of [
     (page) => page.getByRole("combobox", { name: "Aircraft", exact: true }).dispatchEvent("click"),
     (page) => page.getByRole("option"),
   ],
-  ["the quantities that are shown", {}, (page) => press(page, "Quantities shown"), (page) => page.getByRole("checkbox", { name: /^Pitch angle/ })],
+  ["the quantities that are shown", {}, (page) => press(page, "Quantities shown"), (page) => page.getByRole("checkbox", { name: /pitch angle$/ })],
   ["the sheet of keys", {}, (page) => page.keyboard.press("?"), (page) => page.getByRole("heading", { name: "Keys", exact: true })],
   ["the sheet of embedding", {}, (page) => page.keyboard.press("m"), (page) => page.getByRole("heading", { name: /^Embed/ })],
   [

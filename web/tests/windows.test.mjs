@@ -2,16 +2,16 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { open, until } from "./page.mjs";
+import { frames, open, until } from "./page.mjs";
 
 test("the page goes on in tiny, narrow, low and huge windows", async (t) => {
-  const { page, ready, state, seen, screenshot, rest } = await open(t, { fragment: "#v=1&ac=navion&cm_alpha=-0.5" });
+  const { page, ready, state, seen, screenshot } = await open(t, { fragment: "#v=1&ac=navion&cm_alpha=-0.5" });
   await ready();
   for (const [width, height] of [[320, 240], [60, 900], [1400, 60], [1, 1], [5120, 2880], [1440, 900]]) {
     await page.setViewportSize({ width, height });
     const canvas = () => page.locator("#eigenwing").evaluate((canvas) => [canvas.width, canvas.height, ...[innerWidth, innerHeight].map((points) => points * devicePixelRatio)].join());
     await until(canvas, (sizes) => sizes === [width, height, width, height].join(), `as many pixels as ${width} × ${height}`);
-    await rest();
+    await frames(page);
     assert.equal(await page.locator("#failure").isVisible(), false, `${width} × ${height}`);
   }
   assert.equal((await state()).aircraft, "navion");
