@@ -417,7 +417,7 @@ fn bad_input_is_one_line_and_exit_code_1() {
         (&["analyse", &file("bad.toml", navion.replace("cond", "= cond").as_bytes())], "bad.toml, line 4: "),
         (
             &["analyse", &file("empty.toml", b"")],
-            "empty.toml, line 1: key: missing; expected a text in quotes",
+            "empty.toml, line 1: the file is empty; expected matrices A and B, or the output of a program",
         ),
         (
             &["analyse", "--matrix", &file("ragged.m", matlab.replace("176.0      0", "176.0").as_bytes())],

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use eigenwing::content::FILES;
 use eigenwing::content::import::{self, FileBytes, review::Review};
 use eigenwing::export::{DisturbanceRequest, ExportError, Scene, Source, Subject};
 use eigenwing::scenario::link::is_link;
@@ -49,13 +50,18 @@ impl SubjectArguments {
         let source = match (&self.matrix, name) {
             (Some(path), _) => self.fills.source(path)?,
             (None, Some(link)) if self.link.is_some() || is_link(link) => Source::Link(link.clone()),
-            (None, Some(name)) if name.ends_with(".toml") => {
-                Source::Toml { file: name.clone(), text: text_of(Path::new(name))? }
+            // No aircraft of the list has a name with such a sign; another one may be that of a file all the same.
+            (None, Some(name)) if name.contains(['.', '/', '\\']) || is_file(name) => {
+                self.fills.source(Path::new(name))?
             }
-            // No aircraft of the list has such a name.
-            (None, Some(name)) if name.contains(['.', '/', '\\']) => self.fills.source(Path::new(name))?,
             (None, name) => Source::Listed(name.cloned().unwrap_or_default()),
         };
+        let is_file = matches!(source, Source::Toml { .. });
+        if !is_file && (!self.fills.fill.is_empty() || self.fills.mass_file.is_some()) {
+            return Err(InputError::Told(
+                "--fill and --mass-file belong to a file that is opened".to_owned(),
+            ));
+        }
         Ok(Subject {
             source,
             set: self.set.clone(),
@@ -83,6 +89,12 @@ impl FillArguments {
         let review = self.review(path)?;
         Ok(Source::Toml { text: review.text().map_err(ExportError::from)?.to_owned(), file: review.file })
     }
+}
+
+/// Whether a name that the list doesn't have is that of a file here.
+fn is_file(name: &str) -> bool {
+    let is_listed = FILES.iter().any(|(file, _)| file.strip_suffix(".toml") == Some(name));
+    !is_listed && Path::new(name).is_file()
 }
 
 fn bytes_of(path: &Path) -> Result<Vec<u8>, InputError> {

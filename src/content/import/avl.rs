@@ -3,6 +3,7 @@
 //! Stability axes, rates over c/2V and b/2V, controls by the unit of the control variable. Lengths are in the unit of the geometry,
 //! which only the mass file tells.
 
+use super::cases::{self, Line};
 use super::review::Field;
 use super::scan::{Pair, pairs};
 use super::sheet::Sheet;
@@ -102,31 +103,26 @@ pub(super) fn read(sheet: &mut Sheet, text: &str, mass: Option<&MassFile>) -> Re
 }
 
 /// The lines of one run case; `None` while it isn't chosen.
-fn case<'s, 't>(
-    sheet: &mut Sheet,
-    lines: &'s [(usize, &'t str)],
-) -> Result<Option<&'s [(usize, &'t str)]>, Problem> {
-    let starts: Vec<usize> =
-        (0..lines.len()).filter(|&k| lines[k].1.contains("Vortex Lattice Output")).collect();
-    if starts.len() < 2 {
-        return Ok(Some(lines));
-    }
-    let titles = starts.iter().enumerate().map(|(k, &start)| {
-        let end = starts.get(k + 1).copied().unwrap_or(lines.len());
-        let of = &lines[start..end];
-        let alpha = of.iter().flat_map(|(_, line)| pairs(line)).find(|pair| pair.name == "Alpha");
-        let name = of.iter().find_map(|(_, line)| line.trim().strip_prefix("Run case:")).unwrap_or("").trim();
+fn case<'s, 't>(sheet: &mut Sheet, lines: &'s [Line<'t>]) -> Result<Option<&'s [Line<'t>]>, Problem> {
+    let cases = cases::parted(
+        lines,
+        |text| text.contains("Stability-axis derivatives").then_some(0),
+        |_, seen| !seen.is_empty(),
+        |text| {
+            ["Vortex Lattice Output", "Configuration:", "Sref", "Run case:", "Alpha ="]
+                .iter()
+                .any(|beginning| text.contains(beginning))
+        },
+    );
+    let words = |lines: &&[Line<'_>]| {
+        let alpha = lines.iter().flat_map(|(_, line)| pairs(line)).find(|pair| pair.name == "Alpha");
+        let name =
+            lines.iter().find_map(|(_, line)| line.trim().strip_prefix("Run case:")).unwrap_or("").trim();
         let alpha = alpha.map_or(f64::NAN, |pair| pair.value);
-        ((k + 1).to_string(), format!("{name}, α {}°", trimmed(alpha, 4)))
-    });
-    let titles: Vec<(String, String)> = titles.collect();
-    let choices: Vec<(&str, &str)> =
-        titles.iter().map(|(key, words)| (key.as_str(), words.as_str())).collect();
-    let Some(chosen) = sheet.chosen(Field::choice("case", "run case", &choices), None, None)? else {
-        return Ok(None);
+        format!("{name}, α {}°", trimmed(alpha, 4))
     };
-    let k = chosen.parse::<usize>().unwrap_or(1).clamp(1, starts.len()) - 1;
-    Ok(Some(&lines[starts[k]..starts.get(k + 1).copied().unwrap_or(lines.len())]))
+    let words: Vec<String> = cases.iter().map(words).collect();
+    Ok(cases::chosen(sheet, "run case", &words, None)?.and_then(|k| cases.get(k).copied()))
 }
 
 /// The geometry's unit of length in metres: of the mass file, or chosen.
@@ -320,59 +316,4 @@ fn apply_mass(sheet: &mut Sheet, file: &MassFile, x_reference: Option<f64>) {
             );
         }
     }
-}
-
-/// AVL's system matrix (`.sys`): a line of names, then a row for each state, A and B parted by a bar.
-pub(super) fn read_system(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
-    use crate::content::matrix::draft::{At, Draft, Entry};
-    let mut names: Option<(usize, Vec<String>, Vec<String>)> = None;
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    for (line, text) in (1..).zip(text.lines()) {
-        if text.trim().is_empty() || text.trim_start().starts_with('#') {
-            continue;
-        }
-        let (states, inputs) = text.split_once('|').unwrap_or((text, ""));
-        let Some((_, known, _)) = &names else {
-            let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-            names = Some((line, words(states), words(inputs)));
-            continue;
-        };
-        let n = known.len();
-        let row = super::scan::numbers(&text.replace('|', " "))
-            .ok_or_else(|| (line, "expected a row of numbers".to_owned()))?;
-        if row.len() < n {
-            return Err((line, format!("expected {n} numbers, one a state, found {}", row.len())));
-        }
-        let (of_a, of_b) = row.split_at(n);
-        a.push(At { line, value: of_a.to_vec() });
-        b.push(At { line, value: of_b.to_vec() });
-        if a.len() == n {
-            break;
-        }
-    }
-    let Some((line, states, inputs)) = names else {
-        return Err((
-            1,
-            "expected a line with the names of the states, u w q the v p r phi, found none".to_owned(),
-        ));
-    };
-    let unit = control_unit(sheet)?;
-    if !inputs.is_empty() {
-        b.iter_mut().flat_map(|row| &mut row.value).for_each(|entry| *entry *= unit);
-        sheet.remark(
-            "Columns of B are read as by degrees, the unit of AVL’s control variable with a gain of 1.",
-        );
-    }
-    // With four decimals an entry is known to half of the last.
-    let largest_band = 5e-5;
-    sheet.remark(format!("A is printed with four decimals: an entry is known to ±{largest_band} only."));
-    let mut draft = Draft::default();
-    draft.set("states", line, Entry::Names(states))?;
-    draft.set("A", line + 1, Entry::Rows(a))?;
-    if !inputs.is_empty() {
-        draft.set("inputs", line, Entry::Names(inputs))?;
-        draft.set("B", line + 1, Entry::Rows(b))?;
-    }
-    sheet.matrices = Some(draft);
-    Ok(())
 }

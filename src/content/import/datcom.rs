@@ -3,7 +3,7 @@
 //! The first character of a line is a control of the printer. CYB and CNB are printed once, in the first row, and hold for the others.
 //! CN is the normal force; CNB is yaw.
 
-use super::review::Field;
+use super::cases;
 use super::sheet::Sheet;
 use crate::content::matrix::draft::{Problem, number};
 use crate::number::{significant, trimmed};
@@ -228,10 +228,7 @@ fn chosen<'c, 't>(
         let [mach, altitude] = [0, 1].map(|k| shown(condition.flight.get(k).copied()));
         format!("Mach {mach}, {altitude} {unit}, α {}°, C_L {}", shown(of("ALPHA")), shown(of("CL")))
     };
-    let labels: Vec<(String, String)> =
-        cases.iter().enumerate().map(|(k, case)| ((k + 1).to_string(), label(case))).collect();
-    let choices: Vec<(&str, &str)> =
-        labels.iter().map(|(key, words)| (key.as_str(), words.as_str())).collect();
+    let labels: Vec<String> = cases.iter().map(label).collect();
     let mass = sheet.fills.number("mass", "kg").ok().flatten();
     let suggestion = mass.and_then(|mass| {
         let apart = |(condition, row): &(&Condition<'_>, usize)| {
@@ -241,18 +238,12 @@ fn chosen<'c, 't>(
         };
         let best = (0..cases.len()).min_by(|&i, &j| apart(&cases[i]).total_cmp(&apart(&cases[j])))?;
         let needed = cases[best].0.lift_for(mass)?;
-        Some((
-            (best + 1).to_string(),
-            format!("its lift is the nearest to C_L = {}, which carries the weight", trimmed(needed, 3)),
-        ))
+        let why =
+            format!("its lift is the nearest to C_L = {}, which carries the weight", trimmed(needed, 3));
+        Some((best, why))
     });
-    let chosen = sheet.chosen(
-        Field::choice("case", "flight condition and angle of attack", &choices),
-        None,
-        suggestion,
-    )?;
-    let k = chosen.and_then(|chosen| chosen.parse::<usize>().ok()).and_then(|k| k.checked_sub(1));
-    Ok(k.and_then(|k| cases.get(k).copied()))
+    let chosen = cases::chosen(sheet, "flight condition and angle of attack", &labels, suggestion)?;
+    Ok(chosen.and_then(|k| cases.get(k).copied()))
 }
 
 impl Condition<'_> {

@@ -15,8 +15,18 @@ pub(super) fn is_mass_file(text: &str) -> bool {
     sets("Lunit") && sets("Munit")
 }
 
+/// An aircraft file of this program, whatever words stand in its notes.
+pub(super) fn is_own_file(name: &str, text: &str) -> bool {
+    let sets =
+        |name| text.lines().any(|line| line.split_once('=').is_some_and(|(key, _)| key.trim() == name));
+    name.to_lowercase().ends_with(".toml") || sets("key") && sets("basis")
+}
+
 /// The form of a text.
 pub(super) fn form(name: &str, text: &str) -> Found {
+    if is_own_file(name, text) {
+        return Found::Form(Form::AircraftFile);
+    }
     let has = |part: &str| text.contains(part);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_lowercase();
     if has("STABILITY AND CONTROL METHODS PER APRIL 1976") {
@@ -56,8 +66,9 @@ pub(super) fn form(name: &str, text: &str) -> Found {
         return Found::Form(Form::Xflr5);
     }
     let first = text.trim_start();
-    if first.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}'])) {
-        let is_jsbsim = has("\"x_names\"") && has("\"A\"");
+    let is_jsbsim = has("\"x_names\"") && has("\"A\"");
+    let is_object = first.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
+    if is_object || first.starts_with('[') && is_jsbsim {
         return Found::Form(if is_jsbsim { Form::JsbsimJson } else { Form::Json });
     }
     if first.starts_with('[') && has("{") && has("\"A\"") {
@@ -69,8 +80,7 @@ pub(super) fn form(name: &str, text: &str) -> Found {
     let lines = || text.lines().map(str::trim);
     let is_setting =
         |line: &str, keys: &[&str]| line.split_once('=').is_some_and(|(key, _)| keys.contains(&key.trim()));
-    let is_own = ending == "toml" || lines().any(|line| is_setting(line, &["basis", "length_unit"]));
-    if is_own {
+    if lines().any(|line| is_setting(line, &["basis", "length_unit"])) {
         return Found::Form(Form::AircraftFile);
     }
     if has("Damping") && has("Frequency") && (has("Pole") || has("Eigenvalue")) {

@@ -20,6 +20,8 @@ pub(super) const CHOICES: [&str; 9] =
 pub(super) struct Fills {
     given: BTreeMap<String, String>,
     used: BTreeSet<String>,
+    /// The keys whose suggestions were taken, one by one.
+    taken: BTreeSet<String>,
     all_suggested: bool,
 }
 
@@ -53,12 +55,22 @@ const UNITS: [(&str, &str, f64); 26] = [
     ("m/s²", "ft/s2", 0.3048),
 ];
 
+/// The size of a unit in that of a quantity; `None` for one that isn't known here.
+pub(super) fn factor(of: &str, name: &str) -> Option<f64> {
+    let is_it = |(unit, known, _): &&(&str, &str, f64)| *unit == of && *known == name;
+    if name == of { Some(1.0) } else { UNITS.iter().find(is_it).map(|&(_, _, factor)| factor) }
+}
+
 impl Fills {
-    pub fn new(given: &BTreeMap<String, String>) -> Self {
+    pub fn new(given: &BTreeMap<String, String>) -> Result<Self, String> {
         let mut given: BTreeMap<String, String> =
             given.iter().map(|(key, value)| (key.trim().to_owned(), value.trim().to_owned())).collect();
-        let all_suggested = given.remove(ALL).is_some_and(|value| value == SUGGESTED);
-        Self { given, used: BTreeSet::new(), all_suggested }
+        let all_suggested = match given.remove(ALL) {
+            Some(value) if value == SUGGESTED => true,
+            Some(value) => return Err(format!("{ALL}: expected “{SUGGESTED}”, found “{value}”")),
+            None => false,
+        };
+        Ok(Self { given, all_suggested, ..Self::default() })
     }
 
     /// The text of a key, unless it stands for the suggestion.
@@ -68,9 +80,12 @@ impl Fills {
         (text != SUGGESTED).then(|| text.clone())
     }
 
-    /// Whether what is suggested for a key is taken.
+    /// Whether what is suggested for a key is taken; asked only where something is.
     pub fn takes_suggestion(&mut self, key: &str) -> bool {
         let is_given = self.given.get(key).is_some_and(|value| value == SUGGESTED);
+        if is_given {
+            self.taken.insert(key.to_owned());
+        }
         is_given || self.all_suggested
     }
 
@@ -88,12 +103,7 @@ impl Fills {
             })
             .map_or(plain.len(), |(at, _)| at);
         let (digits, behind) = (plain[..end].trim().replace(',', "."), plain[end..].trim());
-        let factor = if behind.is_empty() || behind == unit {
-            Some(1.0)
-        } else {
-            let is_it = |(of, name, _): &&(&str, &str, f64)| *of == unit && *name == behind;
-            UNITS.iter().find(is_it).map(|&(_, _, factor)| factor)
-        };
+        let factor = if behind.is_empty() { Some(1.0) } else { factor(unit, behind) };
         match (number(&digits), factor) {
             (Some(x), Some(factor)) if x.is_finite() => Ok(Some(x * factor)),
             (Some(_), None) => {
@@ -103,10 +113,17 @@ impl Fills {
         }
     }
 
-    /// A key that nothing asked for, and that nothing could.
-    pub fn stranger(&self) -> Option<&str> {
+    /// A key that nothing asked for: one that nothing could, and any once the review has asked for everything.
+    pub fn stranger(&self, is_whole: bool) -> Option<&str> {
         let is_known =
             |key: &str| CHOICES.contains(&key) || key.starts_with("ConGrp") || quantity(key).is_some();
-        self.given.keys().map(String::as_str).find(|key| !self.used.contains(*key) && !is_known(key))
+        let mut unused = self.given.keys().map(String::as_str).filter(|key| !self.used.contains(*key));
+        unused.find(|key| is_whole || !is_known(key))
+    }
+
+    /// A key whose suggestion was to be taken, where nothing was suggested.
+    pub fn without_suggestion(&self) -> Option<&str> {
+        let is_it = |(key, value): &(&String, &String)| *value == SUGGESTED && !self.taken.contains(*key);
+        self.given.iter().find(is_it).map(|(key, _)| key.as_str())
     }
 }

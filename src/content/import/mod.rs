@@ -10,7 +10,8 @@
 //! | [`review`] | the sheet as data: what was read, what is missing, what looks wrong; the forms of files |
 //! | `encoding`, `notation`, `detect` | bytes as text, other programs’ ways of writing a matrix, and the form that it is in |
 //! | `fills`, `quantities`, `sheet` | what was typed; what there is to fill in; a review in the making |
-//! | `scan`, `avl`, `xflr5`, `vspaero`, `datcom`, `jsbsim` | readers of other programs’ files |
+//! | `scan`, `cases` | numbers in printed logs; which of several cases counts |
+//! | `avl`, `avl_system`, `xflr5`, `control_sets`, `vspaero`, `datcom`, `jsbsim` | readers of other programs’ files |
 //! | `naming`, `matrix_names`, `system`, `part`, `parting`, `further` | states and inputs of matrices, the two planes in them, and what stands beside the four |
 //! | `checks` | what A says of its own units |
 //! | `from_coefficients`, `from_derivatives`, `from_matrices`, `aircraft_text` | what is missing is asked for, and the aircraft is written |
@@ -19,7 +20,10 @@
 
 mod aircraft_text;
 mod avl;
+mod avl_system;
+mod cases;
 mod checks;
+mod control_sets;
 mod datcom;
 mod detect;
 mod encoding;
@@ -77,15 +81,25 @@ pub fn review(files: &[FileBytes<'_>], fills: &BTreeMap<String, String>) -> Resu
         if text.trim().is_empty() {
             return Err(error("the file is empty; expected matrices A and B, or the output of a program"));
         }
-        let text = notation::plain(&text).map_err(|(line, problem)| ContentError {
-            file: file.name.to_owned(),
-            line,
-            problem,
-        })?;
-        texts.push((file.name, text.into_owned(), encoding));
+        // What stands in an aircraft file stays as it is; its ends of lines may be those of old Macs.
+        let is_own = detect::is_own_file(file.name, &text) && (text.contains('\n') || !text.contains('\r'));
+        let text = if is_own {
+            text.into_owned()
+        } else {
+            let at = |(line, problem)| ContentError { file: file.name.to_owned(), line, problem };
+            notation::plain(&text).map_err(at)?.into_owned()
+        };
+        texts.push((file.name, text, encoding));
     }
     let is_mass = |(_, text, _): &&(&str, String, Option<&str>)| detect::is_mass_file(text);
     let mass = texts.iter().find(is_mass).filter(|_| texts.len() > 1);
+    if let ([.., (name, ..)], None) = (&texts[..], mass)
+        && texts.len() > 1
+    {
+        let problem =
+            "this is no mass file of AVL (Lunit, Munit, rows of masses); another file is opened alone";
+        return Err(ContentError { file: (*name).to_owned(), line: 1, problem: problem.to_owned() });
+    }
     let Some((name, text, encoding)) = texts.iter().find(|text| !is_mass(text) || texts.len() == 1) else {
         return Err(ContentError {
             file: String::new(),
@@ -103,18 +117,29 @@ pub fn review(files: &[FileBytes<'_>], fills: &BTreeMap<String, String>) -> Resu
         Found::Form(form) => form,
         Found::Other(sentence) => return Err(at(name)((1, sentence.to_owned()))),
     };
-    let mut sheet = Sheet::new(name, form, Fills::new(fills));
+    if mass.is_some() && form != Form::AvlStability {
+        let problem = format!("this is {}; a mass file belongs to AVL’s derivatives (ST) only", form.name());
+        return Err(at(name)((1, problem)));
+    }
+    let fills = Fills::new(fills).map_err(|problem| at(name)((1, problem)))?;
+    let mut sheet = Sheet::new(name, form, fills);
     if let Some(encoding) = encoding {
         sheet.remark(format!("The text is in {encoding}."));
     }
     // An aircraft file is kept as it is: its sentences have true minus signs.
     let text = if form == Form::AircraftFile { text.clone() } else { plain_signs(text) };
     read(&mut sheet, form, name, &text, mass.as_ref())?;
-    if let Some(stranger) = sheet.fills.stranger() {
+    let is_whole = sheet.review.aircraft.is_some();
+    if let Some(stranger) = sheet.fills.stranger(is_whole) {
         let keys =
             fills::CHOICES.into_iter().chain(quantities::QUANTITIES.iter().map(|quantity| quantity.key));
-        let meant = nearest(stranger, keys).map(|key| format!("; did you mean “{key}”?"));
-        let problem = format!("nothing in this file waits for “{stranger}”{}", meant.unwrap_or_default());
+        let meant = nearest(stranger, keys).filter(|key| *key != stranger);
+        let meant = meant.map(|key| format!("; did you mean “{key}”?"));
+        let problem = format!("{}{}", unasked(stranger), meant.unwrap_or_default());
+        return Err(at(name)((1, problem)));
+    }
+    if let Some(key) = sheet.fills.without_suggestion().filter(|_| is_whole) {
+        let problem = format!("{key}: nothing is suggested for it here; expected a value");
         return Err(at(name)((1, problem)));
     }
     // What an aircraft file would refuse is told before anybody uses it.
@@ -129,6 +154,11 @@ pub fn review(files: &[FileBytes<'_>], fills: &BTreeMap<String, String>) -> Resu
         sheet.review.aircraft = None;
     }
     Ok(sheet.review)
+}
+
+/// The sentence about a value for a field that the review of a file doesn't have.
+pub fn unasked(key: &str) -> String {
+    format!("nothing in this file waits for “{key}”")
 }
 
 fn read(
@@ -154,7 +184,7 @@ fn read(
         Form::Table => sheet.matrices = Some(form_csv::read(text).map_err(at)?),
         Form::Script => sheet.matrices = Some(form_matlab::read(text).map_err(at)?),
         Form::Numbers => sheet.matrices = Some(form_bare::read(text).map_err(at)?),
-        Form::AvlSystem => avl::read_system(sheet, text).map_err(at)?,
+        Form::AvlSystem => avl_system::read(sheet, text).map_err(at)?,
         Form::JsbsimJson => jsbsim::read_json(sheet, text).map_err(at)?,
         Form::JsbsimScicos => jsbsim::read_scicos(sheet, text).map_err(at)?,
         Form::Xflr5 => by_derivatives = xflr5::read(sheet, text).map_err(at)?,

@@ -35,7 +35,7 @@ pub(super) fn upright(sheet: &mut Sheet, line: usize, b: Rows, n: usize) -> Resu
 }
 
 /// Names in a text: parted by commas where there are any, and by blanks otherwise; a unit in brackets belongs to the name before it.
-fn split(text: &str) -> Vec<String> {
+pub(super) fn split(text: &str) -> Vec<String> {
     let is_list = text.contains([',', ';']);
     let parts = text.split(|c: char| if is_list { matches!(c, ',' | ';') } else { c.is_whitespace() });
     let mut names: Vec<String> = Vec::new();

@@ -67,9 +67,34 @@ pub(super) fn numbers(line: &str) -> Option<Vec<f64>> {
     numbers.filter(|numbers| !numbers.is_empty())
 }
 
+/// The same where a column is full, and the number in it touches the one before: `0.0000-1249.8599`.
+pub(super) fn glued(line: &str) -> Option<Vec<f64>> {
+    let mut parted = String::with_capacity(line.len());
+    for word in line.split_whitespace() {
+        parted.push(' ');
+        let mut before = ' ';
+        for (at, c) in word.char_indices() {
+            // A sign behind a digit begins the exponent of Fortran, `1.5-101`, unless a point follows.
+            let is_next = c == '-' && before.is_ascii_digit() && word[at..].contains('.');
+            if is_next {
+                parted.push(' ');
+            }
+            parted.push(c);
+            before = c;
+        }
+    }
+    numbers(&parted)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_that_touch_are_parted_and_exponents_are_not() {
+        assert_eq!(glued(" 0.0000-1249.8599  -0.1535E-01 0.000"), Some(vec![0.0, -1249.8599, -0.01535, 0.0]));
+        assert_eq!(glued("u w q"), None);
+    }
 
     #[test]
     fn pairs_are_read_with_glued_signs_and_exponents() {

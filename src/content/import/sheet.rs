@@ -202,6 +202,10 @@ impl Sheet {
         read: Option<&str>,
         suggestion: Option<(String, String)>,
     ) -> Result<Option<String>, Problem> {
+        // What was asked once has its answer.
+        if let Some(asked) = self.review.fields.iter().find(|asked| asked.key == field.key) {
+            return Ok(asked.value.clone());
+        }
         let typed = self.fills.text(&field.key);
         let is_choice =
             |value: &str| field.choices.is_empty() || field.choices.iter().any(|choice| choice.key == value);

@@ -4,8 +4,8 @@
 //! x aft and z up, with the moments CMl, CMm, CMn turned forward and down again. Rates are made dimensionless by b/2V and c/2V. Forces
 //! CL and CD are along the flow; moments are about body axes and are turned into stability axes here.
 
+use super::cases;
 use super::review::Field;
-use super::scan;
 use super::sheet::Sheet;
 use crate::content::matrix::draft::{Problem, number};
 use crate::content::units::UnitSystem;
@@ -22,8 +22,12 @@ struct Case<'t> {
     values: Vec<(&'t str, f64, usize, &'t str)>,
     columns: Vec<&'t str>,
     units: Vec<&'t str>,
-    rows: Vec<(&'t str, usize, Vec<f64>)>,
+    /// A row's name, its line, and its entries; `None` for one that is no number.
+    rows: Vec<(&'t str, usize, Vec<Option<f64>>)>,
 }
+
+/// The rows of the table.
+const ROWS: [&str; 12] = ["CFx", "CFy", "CFz", "CMx", "CMy", "CMz", "CL", "CD", "CS", "CMl", "CMm", "CMn"];
 
 impl<'t> Case<'t> {
     fn value(&self, name: &str) -> Option<f64> {
@@ -33,12 +37,12 @@ impl<'t> Case<'t> {
     fn entry(&self, row: &str, column: &str) -> Option<(f64, usize)> {
         let k = self.columns.iter().position(|known| *known == column)?;
         let (_, line, numbers) = self.rows.iter().find(|(known, ..)| *known == row)?;
-        numbers.get(k).map(|&value| (value, *line))
+        Some(((*numbers.get(k)?)?, *line))
     }
 }
 
 pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
-    let cases = cases(text);
+    let cases = tables(text)?;
     let cases: Vec<Case<'_>> = cases.into_iter().filter(|case| case.entry("CL", "Alpha").is_some()).collect();
     if cases.is_empty() {
         return Err((
@@ -88,16 +92,18 @@ pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
 }
 
 /// The tables of the file, one after another.
-fn cases(text: &str) -> Vec<Case<'_>> {
+fn tables(text: &str) -> Result<Vec<Case<'_>>, Problem> {
     let mut cases = vec![Case::default()];
     for (line, text) in (1..).zip(text.lines()) {
         let text = text.trim();
-        if text.starts_with("****") {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        // A table ends before the stars of the next, or where its head comes again without them.
+        let is_head = matches!(words[..], ["Sref_", ..] | ["Coef", "Total", ..]);
+        let has_rows = cases.last().is_some_and(|case| !case.rows.is_empty());
+        if text.starts_with("****") || is_head && has_rows {
             cases.push(Case::default());
-            continue;
         }
         let Some(case) = cases.last_mut() else { continue };
-        let words: Vec<&str> = text.split_whitespace().collect();
         match words.as_slice() {
             ["Coef", "Total", rest @ ..] => {
                 case.columns = std::iter::once("Total").chain(rest.iter().copied()).collect();
@@ -110,52 +116,49 @@ fn cases(text: &str) -> Vec<Case<'_>> {
                     case.values.push((name, value, line, text));
                 }
             }
-            [name, rest @ ..] if name.starts_with('C') && !case.columns.is_empty() => {
-                if let Some(numbers) = scan::numbers(&rest.join(" ")) {
-                    case.rows.push((name, line, numbers));
+            [name, rest @ ..] if ROWS.contains(name) && !case.columns.is_empty() => {
+                let (expected, found) = (case.columns.len(), rest.len());
+                if found != expected {
+                    let problem = format!("{name}: expected {expected} numbers, one a column, found {found}");
+                    return Err((line, problem));
                 }
+                case.rows.push((name, line, rest.iter().map(|word| number(word)).collect()));
             }
             _ => {}
         }
     }
-    cases
+    Ok(cases)
 }
 
 /// The case of an angle of attack: the only one, or chosen. That whose lift carries the weight is suggested, where the mass is typed.
 fn chosen<'c, 't>(
     sheet: &mut Sheet,
-    cases: &'c [Case<'t>],
+    tables: &'c [Case<'t>],
     system: Option<UnitSystem>,
 ) -> Result<Option<&'c Case<'t>>, Problem> {
-    if let [case] = cases {
-        return Ok(Some(case));
-    }
     let label = |case: &Case<'_>| {
         let [alpha, cl] = [case.value("AoA_"), case.entry("CL", "Total").map(|(cl, _)| cl)]
             .map(|x| trimmed(x.unwrap_or(f64::NAN), 4));
         format!("α {alpha}°, C_L {cl}")
     };
-    let labels: Vec<(String, String)> =
-        cases.iter().enumerate().map(|(k, case)| ((k + 1).to_string(), label(case))).collect();
-    let choices: Vec<(&str, &str)> =
-        labels.iter().map(|(key, words)| (key.as_str(), words.as_str())).collect();
+    let labels: Vec<String> = tables.iter().map(label).collect();
     let needed = sheet.fills.number("mass", "kg").ok().flatten().zip(system).and_then(|(mass, system)| {
         let length = system.length();
-        let (rho, v) = (cases[0].value("Rho_")? * system.density(), cases[0].value("Vinf_")? * length);
-        let s = cases[0].value("Sref_")? * length * length;
+        let (rho, v) = (tables[0].value("Rho_")? * system.density(), tables[0].value("Vinf_")? * length);
+        let s = tables[0].value("Sref_")? * length * length;
         Some(mass * crate::flight::analysis::STANDARD_GRAVITY / (0.5 * rho * v * v * s))
     });
     let suggestion = needed.and_then(|needed| {
         let distance =
             |case: &Case<'_>| case.entry("CL", "Total").map_or(f64::INFINITY, |(cl, _)| (cl - needed).abs());
-        let best = (0..cases.len()).min_by(|&i, &j| distance(&cases[i]).total_cmp(&distance(&cases[j])))?;
-        Some((
-            (best + 1).to_string(),
-            format!("its lift is the nearest to C_L = {}, which carries the weight", trimmed(needed, 3)),
-        ))
+        let best =
+            (0..tables.len()).min_by(|&i, &j| distance(&tables[i]).total_cmp(&distance(&tables[j])))?;
+        let why =
+            format!("its lift is the nearest to C_L = {}, which carries the weight", trimmed(needed, 3));
+        Some((best, why))
     });
-    let chosen = sheet.chosen(Field::choice("case", "angle of attack", &choices), None, suggestion)?;
-    Ok(chosen.and_then(|chosen| chosen.parse::<usize>().ok()).and_then(|k| cases.get(k.checked_sub(1)?)))
+    let chosen = cases::chosen(sheet, "angle of attack", &labels, suggestion)?;
+    Ok(chosen.and_then(|k| tables.get(k)))
 }
 
 fn longitudinal(sheet: &mut Sheet, case: &Case<'_>) {
@@ -214,6 +217,24 @@ fn controls(sheet: &mut Sheet, case: &Case<'_>, alpha: f64) -> Result<(), Proble
         let chosen = sheet.chosen(field, Some("none"), None)?.unwrap_or_default();
         let factor = if case.units.get(k) == Some(&"deg") { 1_f64.to_degrees() } else { 1.0 };
         let of = |row: &str| case.entry(row, group).map(|(value, line)| (value * factor, line));
+        let keys = match chosen.as_str() {
+            "elevator" => ["Cm_de", "CMm"],
+            "aileron" => ["Cl_da", "CMl"],
+            "rudder" => ["Cn_dr", "CMn"],
+            _ => continue,
+        };
+        if sheet.finds(keys[0]).is_some() {
+            sheet.remark(format!("{group} is left out: another group is the {chosen} already."));
+            continue;
+        }
+        if of(keys[1]).is_none() {
+            let sentence = format!(
+                "{group} is to be the {chosen}, and its column has no number in the row {}.",
+                keys[1]
+            );
+            sheet.stop("controls", sentence, Vec::new());
+            continue;
+        }
         match chosen.as_str() {
             "elevator" => {
                 for (row, key) in [("CL", "CL_de"), ("CD", "CD_de"), ("CMm", "Cm_de")] {

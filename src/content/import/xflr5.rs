@@ -3,11 +3,17 @@
 //! Forces are in newtons and moments in newton metres; they become derivatives over mass and inertia here. The log may hold the matrices
 //! alone, and several analyses one after another.
 
-use super::review::Field;
-use super::scan::{numbers, pairs};
+use super::cases::{self, Line};
+use super::control_sets::{self, ControlSet};
+use super::fills::factor;
+use super::quantities::quantity;
+use super::review::{Basis, Field};
+use super::scan::{Pair, numbers, pairs};
 use super::sheet::Sheet;
-use crate::content::matrix::draft::{At, Draft, Entry, Problem};
+use crate::content::matrix::draft::{At, Draft, Entry, Problem, Rows, number};
+use crate::content::matrix::state_names::control;
 use crate::flight::aircraft::coefficients::PlanarInertia;
+use crate::flight::aircraft::plane::{ByPlane, Plane};
 use crate::number::{significant, trimmed};
 
 /// Force or moment by what, and our key: over the mass, or over a moment of inertia.
@@ -32,9 +38,15 @@ const DERIVATIVES: [(&str, &str, Over); 18] = [
     ("Nr", "Nr", Over::Yaw),
 ];
 
-/// What a control does, longitudinal.
-const OF_CONTROL: [(&str, &str, Over); 3] =
-    [("Xde", "Xde", Over::Mass), ("Zde", "Zde", Over::Mass), ("Mde", "Mde", Over::Pitch)];
+/// What a control does to forces and moments, in the order in which a log prints it.
+const BY_CONTROL: [&str; 6] = ["Xde", "Yde", "Zde", "Lde", "Mde", "Nde"];
+
+/// The keys of that by our controls: X, Z, M of the elevator, and Y, L, N of aileron and rudder.
+const OF_CONTROL: [(&str, [&str; 3]); 3] = [
+    ("elevator", ["Xde", "Zde", "Mde"]),
+    ("aileron", ["Yda", "Lda", "Nda"]),
+    ("rudder", ["Ydr", "Ldr", "Ndr"]),
+];
 
 #[derive(Clone, Copy)]
 enum Over {
@@ -47,41 +59,44 @@ enum Over {
 const BASES: [(&str, &str); 2] =
     [("derivatives", "its derivatives, over mass and inertia"), ("matrices", "the matrices that it prints")];
 
-/// The four matrices of a log.
+/// The headings of what an analysis prints once, derivatives first.
+const SECTIONS: [&str; 4] =
+    ["longitudinal derivatives", "lateral derivatives", "longitudinal state matrix", "lateral state matrix"];
+
+/// What may stand before them and is of the same analysis: words, and names of numbers.
+const BEGINNINGS: [&str; 4] =
+    ["for control position", "processing control value", "calculating plane for", "state matrices"];
+const NUMBERS_BEFORE: [&str; 8] = ["Mass", "mass", "Alpha", "α", "VInf", "Vinf", "V∞", "V"];
+
+/// The matrices of a log.
 #[derive(Default)]
 struct Matrices {
-    longitudinal: Vec<At<Vec<f64>>>,
-    lateral: Vec<At<Vec<f64>>>,
-    longitudinal_control: Vec<At<Vec<f64>>>,
-    lateral_control: Vec<At<Vec<f64>>>,
+    longitudinal: Rows,
+    lateral: Rows,
+    controls: Vec<ControlSet>,
 }
 
 /// Reads one analysis of the log; whether its derivatives are what the aircraft is made of.
 pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<bool, Problem> {
-    let lines: Vec<(usize, &str)> = (1..).zip(text.lines()).collect();
-    let lines = case(sheet, &lines)?;
-    let mut numbers_of = Vec::new();
-    for &(line, text) in lines {
-        numbers_of.extend(pairs(text).into_iter().map(|pair| (line, pair)));
+    let lines: Vec<Line<'_>> = (1..).zip(text.lines()).collect();
+    let analyses = analyses(&lines);
+    let words: Vec<String> = analyses.iter().map(|lines| words(lines)).collect();
+    let chosen = cases::chosen(sheet, "analysis", &words, None)?;
+    let Some(&lines) = chosen.and_then(|k| analyses.get(k)) else { return Ok(false) };
+    let of = |name: &str| numbered(lines).find(|(_, pair)| pair.name == name);
+    if let Some((line, pair)) = speed(lines) {
+        let text = pair.text.rsplit("...").next().unwrap_or_default();
+        sheet.find("speed", pair.value * unit(line, "m/s", &pair)?, line, text);
     }
-    let of = |name: &str| {
-        numbers_of
-            .iter()
-            .find(|(_, pair)| pair.name == name)
-            .map(|(line, pair)| (*line, pair.value, pair.text))
-    };
-    let speed = numbers_of
-        .iter()
-        .find(|(_, pair)| matches!(pair.name.rsplit("...").next(), Some("VInf" | "Vinf" | "V")));
-    if let Some((line, pair)) = speed {
-        sheet.find("speed", pair.value, *line, pair.text.rsplit("...").next().unwrap_or_default());
+    if let Some((line, pair)) = of("Mass").or_else(|| of("mass")) {
+        sheet.find("mass", pair.value * unit(line, "kg", &pair)?, line, pair.text);
     }
-    for (name, key) in [("Mass", "mass"), ("Isxx", "Ix"), ("Isyy", "Iy"), ("Iszz", "Iz"), ("Isxz", "Ixz")] {
-        if let Some((line, value, text)) = of(name) {
-            sheet.find(key, value, line, text);
+    for (name, key) in [("Isxx", "Ix"), ("Isyy", "Iy"), ("Iszz", "Iz"), ("Isxz", "Ixz")] {
+        if let Some((line, pair)) = of(name) {
+            sheet.find(key, pair.value, line, pair.text);
         }
     }
-    if let Some((_, pair)) = numbers_of.iter().find(|(_, pair)| pair.name == "Alpha") {
+    if let Some((_, pair)) = of("Alpha") {
         sheet.remark(format!(
             "Stability axes, x along the steady flow; α = {}° of the body.",
             trimmed(pair.value, 4)
@@ -89,10 +104,7 @@ pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<bool, Problem> {
     }
     let matrices = matrices(lines)?;
     let has_matrices = !matrices.longitudinal.is_empty() || !matrices.lateral.is_empty();
-    let has_derivatives = of("Xu").is_some()
-        && of("Mq").is_some()
-        && sheet.finds("mass").is_some()
-        && sheet.finds("Iy").is_some();
+    let has_derivatives = of("Xu").is_some() && of("Mq").is_some();
     if !has_matrices && !has_derivatives {
         return Err((
             1,
@@ -100,61 +112,138 @@ pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<bool, Problem> {
                 .to_owned(),
         ));
     }
-    let basis = if has_matrices && has_derivatives {
+    let is_whole = has_derivatives && sheet.finds("mass").is_some() && sheet.finds("Iy").is_some();
+    let basis = if has_matrices && is_whole {
         let mut field = Field::choice("basis", "what the aircraft is made of", &BASES);
         field.required = false;
         sheet.chosen(field, Some("derivatives"), None)?.unwrap_or_default()
-    } else if has_derivatives {
-        "derivatives".to_owned()
-    } else {
+    } else if has_matrices {
         "matrices".to_owned()
+    } else {
+        "derivatives".to_owned()
     };
     if basis == "matrices" {
-        sheet.matrices = Some(draft(sheet, matrices)?);
+        sheet.matrices = draft(sheet, matrices)?;
         return Ok(false);
     }
-    derivatives(sheet, &of);
+    let is_read = derivatives(sheet, lines)?;
     compare(sheet, &matrices);
-    Ok(true)
+    Ok(is_read)
 }
 
-/// The lines of one analysis.
-fn case<'s, 't>(sheet: &mut Sheet, lines: &'s [(usize, &'t str)]) -> Result<&'s [(usize, &'t str)], Problem> {
-    let starts: Vec<usize> =
-        (0..lines.len()).filter(|&k| lines[k].1.contains("Calculation for control position")).collect();
-    if starts.len() < 2 {
-        return Ok(lines);
+/// Every pair of a name and a number, with its line.
+fn numbered<'l, 't>(lines: &'l [Line<'t>]) -> impl Iterator<Item = (usize, Pair<'t>)> + 'l {
+    lines.iter().flat_map(|&(line, text)| pairs(text).into_iter().map(move |pair| (line, pair)))
+}
+
+/// The speed of flight; flow5 comes to it in several steps, of which the last counts.
+fn speed<'t>(lines: &[Line<'t>]) -> Option<(usize, Pair<'t>)> {
+    let of = |names: &[&str]| {
+        let is_it = |(_, pair): &(usize, Pair<'_>)| {
+            names.contains(&pair.name.rsplit("...").next().unwrap_or_default())
+        };
+        numbered(lines).filter(is_it).last()
+    };
+    of(&["VInf", "Vinf", "V∞"]).or_else(|| of(&["V"]))
+}
+
+/// The unit behind a number in SI.
+fn unit(line: usize, of: &str, pair: &Pair<'_>) -> Result<f64, Problem> {
+    let name = pair.unit.split_whitespace().next().unwrap_or(of);
+    factor(of, name)
+        .ok_or_else(|| (line, format!("{}: {name} is not a unit known here; expected {of}", pair.name)))
+}
+
+/// The analyses of a log. One begins where a section comes again, or derivatives come behind matrices.
+fn analyses<'s, 't>(lines: &'s [Line<'t>]) -> Vec<&'s [Line<'t>]> {
+    let section = |text: &str| {
+        let text = text.to_lowercase();
+        SECTIONS.iter().position(|section| text.contains(section))
+    };
+    let begins_anew = |section: usize, seen: &[usize]| {
+        seen.contains(&section) || section < 2 && seen.iter().any(|seen| *seen >= 2)
+    };
+    cases::parted(lines, section, begins_anew, begins)
+}
+
+/// Whether a line stands before the sections of an analysis.
+fn begins(text: &str) -> bool {
+    let small = text.to_lowercase();
+    BEGINNINGS.iter().any(|beginning| small.contains(beginning))
+        || pairs(text)
+            .iter()
+            .any(|pair| NUMBERS_BEFORE.contains(&pair.name.rsplit("...").next().unwrap_or_default()))
+}
+
+/// What tells an analysis from others.
+fn words(lines: &[Line<'_>]) -> String {
+    let mut words = Vec::new();
+    let position = lines.iter().find_map(|(_, text)| {
+        let (_, position) =
+            text.split_once("control position").or_else(|| text.split_once("control value="))?;
+        number(position)
+    });
+    words.extend(position.map(|position| format!("control position {}", trimmed(position, 4))));
+    words.extend(speed(lines).map(|(_, pair)| format!("V {} {}", trimmed(pair.value, 4), pair.unit)));
+    let alpha = numbered(lines).find(|(_, pair)| pair.name.ends_with("Alpha") || pair.name.ends_with('α'));
+    words.extend(alpha.map(|(_, pair)| format!("α {}°", trimmed(pair.value, 4))));
+    if words.is_empty() {
+        let whole = matrices(lines).ok();
+        let a = whole.map(|found| {
+            let rows = if found.longitudinal.is_empty() { found.lateral } else { found.longitudinal };
+            rows.into_iter().map(|row| row.value).collect::<Vec<_>>()
+        });
+        words.extend(a.and_then(|a| cases::told_by_eigenvalues(&a)));
     }
-    let titles: Vec<(String, &str)> =
-        starts.iter().enumerate().map(|(k, &start)| ((k + 1).to_string(), lines[start].1.trim())).collect();
-    let choices: Vec<(&str, &str)> = titles.iter().map(|(key, words)| (key.as_str(), *words)).collect();
-    let chosen = sheet.chosen(Field::choice("case", "analysis", &choices), None, None)?;
-    let k = chosen.and_then(|chosen| chosen.parse::<usize>().ok()).unwrap_or(1).clamp(1, starts.len()) - 1;
-    Ok(&lines[starts[k]..starts.get(k + 1).copied().unwrap_or(lines.len())])
+    let line = lines.iter().find(|(_, text)| !text.trim().is_empty()).map_or(1, |(line, _)| *line);
+    if words.is_empty() { format!("line {line}") } else { format!("line {line}: {}", words.join(", ")) }
+}
+
+/// Where a row of numbers belongs.
+#[derive(Clone, Copy)]
+enum Below {
+    State(Plane),
+    Control(Plane),
+}
+
+/// Control matrices as they are printed: a name, and for each plane a column for each control.
+struct Printed {
+    name: Option<String>,
+    line: usize,
+    planes: ByPlane<Rows>,
 }
 
 /// The matrices below their headings.
-fn matrices(lines: &[(usize, &str)]) -> Result<Matrices, Problem> {
+fn matrices(lines: &[Line<'_>]) -> Result<Matrices, Problem> {
     let mut found = Matrices::default();
-    let mut current: Option<&mut Vec<At<Vec<f64>>>> = None;
+    let mut sets: Vec<Printed> = Vec::new();
+    let mut below: Option<Below> = None;
     for &(line, text) in lines {
-        let heading = text.trim().trim_matches('_').to_lowercase();
-        if heading.contains("state matrix") || heading.contains("control matrix") {
-            let is_control = heading.contains("control matrix");
-            current = match (heading.contains("lateral"), is_control) {
-                (false, false) => Some(&mut found.longitudinal),
-                (true, false) => Some(&mut found.lateral),
-                (false, true) => Some(&mut found.longitudinal_control),
-                (true, true) => Some(&mut found.lateral_control),
+        let heading = text.trim().trim_matches('_').trim();
+        let small = heading.to_lowercase();
+        let plane = if small.contains("lateral") { Plane::Lateral } else { Plane::Longitudinal };
+        let is_new = |set: &Printed| !set.planes[plane].is_empty();
+        if small.contains("control matrices") {
+            let name = heading.split_once(" set ").map(|(_, name)| name.trim().to_owned());
+            let name = name.filter(|name| !name.is_empty());
+            sets.push(Printed { name, line, planes: ByPlane::default() });
+            below = None;
+        } else if small.contains("control matrix") {
+            if sets.last().is_none_or(is_new) {
+                sets.push(Printed { name: None, line, planes: ByPlane::default() });
+            }
+            below = Some(Below::Control(plane));
+        } else if small.contains("state matrix") {
+            below = Some(Below::State(plane));
+        } else if let (Some(value), Some(place)) = (numbers(text), below) {
+            let rows = match (place, sets.last_mut()) {
+                (Below::Control(plane), Some(set)) => &mut set.planes[plane],
+                (Below::State(Plane::Lateral), _) => &mut found.lateral,
+                _ => &mut found.longitudinal,
             };
-            // Of several the first counts.
-            current = current.filter(|rows| rows.is_empty());
-            continue;
-        }
-        match (numbers(text), &mut current) {
-            (Some(row), Some(rows)) => rows.push(At { line, value: row }),
-            (None, Some(rows)) if !rows.is_empty() || !text.trim().is_empty() => current = None,
-            _ => {}
+            rows.push(At { line, value });
+        } else if !text.trim().is_empty() {
+            below = None;
         }
     }
     for rows in [&found.longitudinal, &found.lateral] {
@@ -169,89 +258,183 @@ fn matrices(lines: &[(usize, &str)]) -> Result<Matrices, Problem> {
             ));
         }
     }
+    for set in sets {
+        found.controls.extend(set.columns()?);
+    }
     Ok(found)
 }
 
-/// The matrices as one system of both planes.
-fn draft(sheet: &mut Sheet, matrices: Matrices) -> Result<Draft, Problem> {
+impl Printed {
+    /// A set for each column.
+    fn columns(&self) -> Result<Vec<ControlSet>, Problem> {
+        let planes = Plane::ALL.map(|plane| &self.planes[plane]);
+        let count = planes.iter().flat_map(|rows| rows.iter()).map(|row| row.value.len()).max().unwrap_or(0);
+        for rows in planes.into_iter().filter(|rows| !rows.is_empty()) {
+            let last = rows.last().map_or(self.line, |row| row.line);
+            if rows.len() != 4 {
+                return Err((last, format!("expected a control matrix of four rows, found {}", rows.len())));
+            }
+            if let Some(row) = rows.iter().find(|row| row.value.len() != count) {
+                let found = row.value.len();
+                return Err((row.line, format!("expected {count} numbers, one a control, found {found}")));
+            }
+        }
+        let column = |plane: Plane, k: usize| {
+            let rows = &self.planes[plane];
+            std::array::from_fn(|i| rows.get(i).and_then(|row| row.value.get(k)).copied().unwrap_or(0.0))
+        };
+        let set = |k| ControlSet {
+            name: self.name.clone(),
+            line: self.line,
+            longitudinal: column(Plane::Longitudinal, k),
+            lateral: column(Plane::Lateral, k),
+        };
+        Ok((0..count).map(set).collect())
+    }
+}
+
+/// The matrices as one system of both planes; `None` while it isn't said what the controls are.
+fn draft(sheet: &mut Sheet, matrices: Matrices) -> Result<Option<Draft>, Problem> {
+    let Matrices { longitudinal, lateral, controls } = matrices;
+    let Some(inputs) = control_sets::named(sheet, &controls)? else { return Ok(None) };
     let mut planes = Vec::new();
-    for (names, rows, control) in [
-        (["u", "w", "q", "theta"], matrices.longitudinal, matrices.longitudinal_control),
-        (["v", "p", "r", "phi"], matrices.lateral, matrices.lateral_control),
+    for (plane, names, rows) in [
+        (Plane::Longitudinal, ["u", "w", "q", "theta"], longitudinal),
+        (Plane::Lateral, ["v", "p", "r", "phi"], lateral),
     ] {
         if !rows.is_empty() {
-            planes.push((names, rows, control));
+            planes.push((plane, names, rows));
         }
     }
     let n = 4 * planes.len();
     let (mut names, mut a, mut b) = (Vec::new(), Vec::new(), Vec::new());
-    let mut columns = Vec::new();
-    for (k, (states, rows, control)) in planes.into_iter().enumerate() {
+    for (k, (plane, states, rows)) in planes.into_iter().enumerate() {
         names.extend(states.map(str::to_owned));
-        let is_longitudinal = states[0] == "u";
-        let has_control =
-            control.len() == 4 && control.iter().all(|row| row.value.len() == control[0].value.len());
-        let wanted = if is_longitudinal { "elevator" } else { "aileron" };
-        if has_control && is_longitudinal {
-            columns.push((
-                k,
-                control.iter().map(|row| row.value.first().copied().unwrap_or(0.0)).collect::<Vec<_>>(),
-                wanted,
-            ));
-            if control[0].value.len() > 1 {
-                sheet.remark("The first control is read as the elevator, the others are left out.");
-            } else {
-                sheet.remark("The control is read as the elevator, in radians.");
-            }
-        }
-        for row in rows {
+        for (i, row) in rows.into_iter().enumerate() {
+            let of_set = |set: &ControlSet| match plane {
+                Plane::Longitudinal => set.longitudinal[i],
+                Plane::Lateral => set.lateral[i],
+            };
+            b.push(At { line: row.line, value: controls.iter().map(of_set).collect() });
             let mut wide = vec![0.0; n];
             wide[4 * k..4 * k + 4].copy_from_slice(&row.value);
             a.push(At { line: row.line, value: wide });
         }
     }
     let line = a.first().map_or(1, |row| row.line);
-    for (i, row) in a.iter().enumerate() {
-        let value =
-            columns.iter().map(|(k, column, _)| if i / 4 == *k { column[i % 4] } else { 0.0 }).collect();
-        b.push(At { line: row.line, value });
-    }
     let mut draft = Draft::default();
     draft.set("states", line, Entry::Names(names))?;
     draft.set("units", line, Entry::Text("SI".to_owned()))?;
     draft.set("A", line, Entry::Rows(a))?;
-    if !columns.is_empty() {
-        draft.set(
-            "inputs",
-            line,
-            Entry::Names(columns.iter().map(|(.., name)| (*name).to_owned()).collect()),
-        )?;
+    if !inputs.is_empty() {
+        draft.set("inputs", line, Entry::Names(inputs))?;
         draft.set("B", line, Entry::Rows(b))?;
     }
-    Ok(draft)
+    Ok(Some(draft))
 }
 
-fn derivatives<'t>(sheet: &mut Sheet, of: &impl Fn(&str) -> Option<(usize, f64, &'t str)>) {
-    let by = |sheet: &Sheet, over: Over| {
-        sheet.finds(match over {
-            Over::Mass => "mass",
-            Over::Roll => "Ix",
-            Over::Pitch => "Iy",
-            Over::Yaw => "Iz",
-        })
+/// The derivatives, over mass and inertia; whether everything that they are divided by is known.
+fn derivatives(sheet: &mut Sheet, lines: &[Line<'_>]) -> Result<bool, Problem> {
+    sheet.set_basis(Basis::Derivatives);
+    let of = |name: &str| numbered(lines).find(|(_, pair)| pair.name == name);
+    let mut divisors = Vec::new();
+    for key in ["mass", "Ix", "Iy", "Iz"] {
+        divisors.push(divisor(sheet, key)?);
+    }
+    if sheet.finds("Ixz").is_none() {
+        sheet.needed(
+            "Ixz",
+            Some((0.0, "a symmetric mass fore and aft; it is small in most aircraft".to_owned())),
+        )?;
+    }
+    let [Some(mass), Some(ix), Some(iy), Some(iz)] = divisors[..] else { return Ok(false) };
+    let by = |over: Over| match over {
+        Over::Mass => mass,
+        Over::Roll => ix,
+        Over::Pitch => iy,
+        Over::Yaw => iz,
     };
-    for (name, key, over) in DERIVATIVES.into_iter().chain(OF_CONTROL) {
-        if let (Some((line, value, text)), Some(by)) = (of(name), by(sheet, over)) {
-            sheet.find(key, value / by, line, text);
+    for (name, key, over) in DERIVATIVES {
+        if let Some((line, pair)) = of(name) {
+            sheet.find(key, pair.value / by(over), line, pair.text);
         }
     }
+    let printed = by_control(lines);
+    let sets: Vec<ControlSet> = printed
+        .iter()
+        .map(|(name, line, values)| {
+            let [x, y, z, l, m, n] = values.map(|value| value.map_or(0.0, |(value, ..)| value));
+            ControlSet {
+                name: name.clone(),
+                line: *line,
+                longitudinal: [x / mass, z / mass, m / iy, 0.0],
+                lateral: [y / mass, l / ix, n / iz, 0.0],
+            }
+        })
+        .collect();
     sheet.inertia_in_body_axes = false;
     sheet.remark("Stability axes; forces were divided by the mass, moments by the moments of inertia about the same axes.");
-    if sheet.finds("Mde").is_some() {
-        sheet.remark(
-            "The control is read as the elevator, in radians; a set of several surfaces counts as one.",
-        );
+    let Some(names) = control_sets::named(sheet, &sets)? else { return Ok(false) };
+    for ((name, (_, _, values)), set) in names.iter().zip(printed).zip(&sets) {
+        let Some((_, keys)) = OF_CONTROL.iter().find(|(key, _)| control(name) == Some(*key)) else {
+            sheet.remark(format!("{name} is no control that these planes have here, and left out."));
+            continue;
+        };
+        if keys.iter().any(|key| sheet.finds(key).is_some()) {
+            sheet.remark(format!("{name} is left out: another set is the same control."));
+            continue;
+        }
+        let [x, y, z, l, m, n] = values;
+        let is_elevator = keys[0] == "Xde";
+        let (printed, rates) =
+            if is_elevator { ([x, z, m], set.longitudinal) } else { ([y, l, n], set.lateral) };
+        for ((key, printed), rate) in keys.iter().zip(printed).zip(rates) {
+            if let Some((_, line, text)) = printed {
+                sheet.find(key, rate, line, text);
+            }
+        }
     }
+    Ok(true)
+}
+
+/// What forces or moments are divided by: as typed, as printed, or asked for.
+fn divisor(sheet: &mut Sheet, key: &'static str) -> Result<Option<f64>, Problem> {
+    let unit = quantity(key).map_or("", |quantity| quantity.unit);
+    match sheet.fills.number(key, unit).map_err(|problem| (1, problem))?.or(sheet.finds(key)) {
+        Some(value) => Ok(Some(value)),
+        None => sheet.needed(key, None),
+    }
+}
+
+/// A number of the log, its line and its text.
+type Number<'t> = (f64, usize, &'t str);
+
+/// The derivatives by each set of controls: its name, where it has one, its line, and its numbers in the order of [`BY_CONTROL`].
+fn by_control<'t>(lines: &[Line<'t>]) -> Vec<(Option<String>, usize, [Option<Number<'t>>; 6])> {
+    let mut sets: Vec<(Option<String>, usize, [Option<Number<'t>>; 6])> = Vec::new();
+    let (mut is_below, mut name) = (false, None);
+    for &(line, text) in lines {
+        let plain = text.trim();
+        if plain.to_lowercase().contains("control derivatives") {
+            is_below = !plain.to_lowercase().contains("calculating");
+            continue;
+        }
+        let found = pairs(text);
+        let of_control = found
+            .iter()
+            .find_map(|pair| Some((BY_CONTROL.iter().position(|known| *known == pair.name)?, pair)));
+        let Some((place, pair)) = of_control else {
+            name = (is_below && !plain.is_empty() && found.is_empty()).then(|| plain.to_owned());
+            continue;
+        };
+        if place == 0 || sets.is_empty() {
+            sets.push((name.take(), line, [None; 6]));
+        }
+        if let Some((_, _, values)) = sets.last_mut() {
+            values[place] = Some((pair.value, line, pair.text));
+        }
+    }
+    sets
 }
 
 /// The matrices that the log prints, beside those that follow from its derivatives.

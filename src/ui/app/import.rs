@@ -65,10 +65,13 @@ impl App {
         let Some(sheet) = self.panes.import.as_mut().filter(|sheet| is_last && sheet.is_waiting()) else {
             return;
         };
-        sheet.take(answer.and_then(|json| {
+        let reads_again = sheet.take(answer.and_then(|json| {
             serde_json::from_str::<ReviewSheet>(&json)
                 .map_err(|error| format!("The answer can’t be read: {error}."))
         }));
+        if reads_again {
+            self.read_files();
+        }
     }
 
     /// Says in the sheet why a file can't be had.

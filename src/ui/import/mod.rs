@@ -21,6 +21,7 @@ pub use review_sheet::ReviewSheet;
 
 use super::app::OwnFile;
 use super::theme;
+use crate::content::import::unasked;
 
 /// The sheet as it stands.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -78,8 +79,8 @@ impl Importing {
         self.waits
     }
 
-    /// Takes a review, or why there is none.
-    pub fn take(&mut self, review: Result<ReviewSheet, String>) {
+    /// Takes a review, or why there is none; whether the files are to be read again, without a value whose field is gone.
+    pub fn take(&mut self, review: Result<ReviewSheet, String>) -> bool {
         self.waits = false;
         match review {
             Ok(review) => {
@@ -89,8 +90,17 @@ impl Importing {
                 self.typed.retain(|key, _| value(key).is_none());
                 (self.review, self.problem) = (Some(review), None);
             }
-            Err(problem) => self.problem = Some(problem),
+            Err(problem) => {
+                // Another choice since has taken the field away.
+                let gone = self.fills.keys().find(|key| problem.contains(&unasked(key))).cloned();
+                if let Some(key) = gone {
+                    self.fills.remove(&key);
+                    return true;
+                }
+                self.problem = Some(problem);
+            }
         }
+        false
     }
 
     /// Says why something can't be had.
