@@ -92,7 +92,7 @@ pub(super) fn read(sheet: &mut Sheet, text: &str, mass: Option<&MassFile>) -> Re
     if sheet.finds("CL_alpha").is_none() {
         return Err((1, "expected AVL’s stability-axis derivatives, CLa = …, found none".to_owned()));
     }
-    say_controls(sheet, &controls);
+    say_controls(sheet, &controls, unit);
     sheet.remark(
         "Stability axes; rates over c/2V and b/2V, as here. AVL knows no derivatives by speed or by the rate of α. Its MODE \
          menu adds the apparent mass and inertia of the air to those of the mass file; here none are added.");
@@ -175,14 +175,14 @@ fn of_control(name: &str, controls: &[(String, usize)]) -> Option<&'static str> 
     derivatives.iter().find(|(known, _)| *known == force).map(|&(_, key)| key)
 }
 
-fn say_controls(sheet: &mut Sheet, controls: &[(String, usize)]) {
+fn say_controls(sheet: &mut Sheet, controls: &[(String, usize)], unit: f64) {
     let is_ours = |name: &str| control(name).is_some_and(|key| key != "throttle");
     let left_out: Vec<&str> =
         controls.iter().map(|(name, _)| name.as_str()).filter(|name| !is_ours(name)).collect();
     if !left_out.is_empty() {
         sheet.remark(format!("Controls that have no place here are left out: {}.", left_out.join(", ")));
     }
-    if controls.len() > left_out.len() {
+    if controls.len() > left_out.len() && unit != 1.0 {
         sheet.remark("Derivatives by controls are read as by degrees, the unit of AVL’s control variable with a gain of 1.");
     }
 }

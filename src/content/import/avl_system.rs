@@ -43,7 +43,7 @@ pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
         let of = |row: &At<Vec<f64>>| row.value[from..to].iter().map(|entry| entry * factor).collect();
         rows.iter().map(|row| At { line: row.line, value: of(row) }).collect()
     };
-    if !inputs.is_empty() {
+    if !inputs.is_empty() && unit != 1.0 {
         sheet.remark(
             "Columns of B are read as by degrees, the unit of AVL’s control variable with a gain of 1.",
         );

@@ -72,7 +72,7 @@ pub(super) fn complete(sheet: &mut Sheet) -> Result<(), Problem> {
         }
         longitudinal.push((field.key, value));
     }
-    turn_elevator(sheet, &mut longitudinal);
+    turn_elevator(sheet, &mut longitudinal, "Cm_de");
     let has_lateral =
         LATERAL_COEFFICIENTS.iter().any(|field| field.required && sheet.finds(field.key).is_some());
     let mut lateral = Vec::new();
@@ -215,14 +215,14 @@ fn check_lift(sheet: &mut Sheet, weight: f64, density: f64, s: f64, cl: f64, spe
     );
 }
 
-/// An elevator whose positive sense is trailing edge up is turned, and it is told.
-fn turn_elevator(sheet: &mut Sheet, longitudinal: &mut [(&str, Option<f64>)]) {
+/// An elevator whose positive sense is trailing edge up, by its pitching moment, is turned, and it is told.
+pub(super) fn turn_elevator(sheet: &mut Sheet, longitudinal: &mut [(&str, Option<f64>)], moment: &str) {
     let is_up =
-        longitudinal.iter().any(|(key, value)| *key == "Cm_de" && value.is_some_and(|value| value > 0.0));
+        longitudinal.iter().any(|(key, value)| *key == moment && value.is_some_and(|value| value > 0.0));
     if !is_up {
         return;
     }
-    for (_, value) in longitudinal.iter_mut().filter(|(key, _)| key.ends_with("_de")) {
+    for (_, value) in longitudinal.iter_mut().filter(|(key, _)| key.ends_with("de")) {
         *value = value.map(|value| -value);
     }
     sheet.remark(

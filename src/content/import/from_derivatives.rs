@@ -1,7 +1,7 @@
 //! An aircraft from dimensional derivatives that were read, over mass and inertia.
 
 use super::aircraft_text::AircraftText;
-use super::from_coefficients::{of, say_senses};
+use super::from_coefficients::{of, say_senses, turn_elevator};
 use super::review::Basis;
 use super::sheet::Sheet;
 use crate::content::matrix::draft::Problem;
@@ -36,6 +36,7 @@ pub(super) fn complete(sheet: &mut Sheet) -> Result<(), Problem> {
         // Without an elevator there is nothing to say of it.
         longitudinal.push(read(sheet, row.field.key, row.field.required && row.field.key != "Mde")?);
     }
+    turn_elevator(sheet, &mut longitudinal, "Mde");
     let has_lateral = sheet.value("Yv")?.is_some();
     let mut lateral = Vec::new();
     for row in LATERAL_DERIVATIVES.iter().filter(|_| has_lateral) {

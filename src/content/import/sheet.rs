@@ -100,7 +100,10 @@ impl Sheet {
     }
 
     pub fn warn(&mut self, key: &'static str, sentence: impl Into<String>, remedy: Vec<Remedy>) {
-        self.review.doubts.push(Doubt { key, line: 0, stops: false, sentence: sentence.into(), remedy });
+        let doubt = Doubt { key, line: 0, stops: false, sentence: sentence.into(), remedy };
+        if !self.review.doubts.contains(&doubt) {
+            self.review.doubts.push(doubt);
+        }
     }
 
     pub fn stop(&mut self, key: &'static str, sentence: impl Into<String>, remedy: Vec<Remedy>) {

@@ -161,9 +161,7 @@ pub fn choosers_ui(ui: &mut Ui, plane: Plane, chosen: &mut Vec<Output>, split: &
                     chosen.retain(|other| *other != output);
                 }
                 // In the order of the list, whatever the order of the clicks.
-                few::sort_by_key(chosen, |output| {
-                    Output::of(plane).iter().position(|other| other == output)
-                });
+                few::sort_by_key(chosen, |output| Output::of(plane).iter().position(|other| other == output));
             }
         }
     });
