@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { open, until } from "./page.mjs";
+import { drop, open, until } from "./page.mjs";
 
 // Lateral, with a header of states: what a spreadsheet saves.
 const TABLE = `,v,p,r,phi,aileron,rudder
@@ -15,20 +15,6 @@ phi,0,1,0,0,0,0
 `;
 
 const CORE = /\/core\/eigenwing-core/;
-
-async function drop(page, name, text) {
-  const data = await page.evaluateHandle(
-    ([name, text]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([text], name));
-      return data;
-    },
-    [name, text],
-  );
-  for (const type of ["dragenter", "dragover", "drop"]) {
-    await page.dispatchEvent("#eigenwing", type, { dataTransfer: data });
-  }
-}
 
 test("a table that is dropped becomes an aircraft with named modes, in the link and after a reload", async (t) => {
   const { page, ready, state, seen } = await open(t);

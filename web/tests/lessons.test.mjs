@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { click, middle, open, place, tap, until } from "./page.mjs";
+import { click, drop, middle, open, place, tap, until } from "./page.mjs";
 
 const CHAPTER = "Longitudinal modes";
 
@@ -112,21 +112,6 @@ says = "No"
 because = "It is."
 \`\`\`
 `;
-
-// A file as it is dropped on the page from a folder.
-async function drop(page, name, text) {
-  await page.evaluate(
-    ([name, text]) => {
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([text], name));
-      const canvas = document.getElementById("eigenwing");
-      for (const type of ["dragover", "drop"]) {
-        canvas.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-      }
-    },
-    [name, text],
-  );
-}
 
 test("a lesson is opened by drop and by a link to a file beside the page; a faulty one says where", async (t) => {
   const { page, ready, seen } = await open(t, {

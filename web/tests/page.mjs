@@ -230,6 +230,21 @@ export async function until(found, condition, what, patience = PATIENCE) {
   return assert.fail(`not within ${patience / 1000} s: ${what}; ${JSON.stringify(last)?.slice(0, 300)}`);
 }
 
+// Drops a file with this text on the page.
+export async function drop(page, name, text) {
+  const data = await page.evaluateHandle(
+    ([name, text]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], name));
+      return data;
+    },
+    [name, text],
+  );
+  for (const type of ["dragenter", "dragover", "drop"]) {
+    await page.dispatchEvent("#eigenwing", type, { dataTransfer: data });
+  }
+}
+
 // The middle of an element as it is now, and its width.
 export async function place(locator) {
   const { x, y, width, height } = await locator.boundingBox();

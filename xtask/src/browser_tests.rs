@@ -12,6 +12,7 @@ use crate::package_lesson;
 use crate::packages;
 use crate::process;
 use crate::project::Project;
+use crate::scripts;
 use crate::webkit;
 
 const OLDEST_NODE: u32 = 20;
@@ -24,6 +25,7 @@ pub fn run(project: &Project) -> Result<()> {
     let chromium = chromium::find_or_install()?;
     let firefox = firefox::find_or_install()?;
     let webkit = webkit::find_or_install()?;
+    let python = scripts::python()?;
     let web = project.root.join("web");
 
     packages::install(project)?;
@@ -44,6 +46,7 @@ pub fn run(project: &Project) -> Result<()> {
             .env("CHROMIUM", chromium)
             .env("FIREFOX", firefox)
             .env("MINIBROWSER", webkit.unwrap_or_default())
+            .env("PYTHON", python)
             .env("CORE_PACKAGE", core)
             .env("SINGLE", single)
             .env("SCORM", package),

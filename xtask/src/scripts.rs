@@ -26,7 +26,7 @@ pub fn run(project: &Project) -> Result<()> {
 }
 
 /// A Python of its own with the packages, made first if it isn't there.
-fn python() -> Result<PathBuf> {
+pub fn python() -> Result<PathBuf> {
     const ADVICE: &str = "the exported scripts are tested with Python 3.11 or newer with venv and pip: on Debian `sudo apt install python3-venv`";
     let folder = tools_folder()?.join(format!("python-{}", PACKAGES.join("-").replace("==", "-")));
     let python = if cfg!(windows) { folder.join("Scripts/python.exe") } else { folder.join("bin/python") };
