@@ -191,7 +191,7 @@ fn text(
         Target::Python => python::python(&study()?),
         Target::Notebook => indented(&notebook::notebook(&study()?)),
         Target::Matlab => matlab::matlab(&study()?),
-        Target::Latex => latex::latex(&study()?),
+        Target::Latex => latex::latex(&study()?, findings.scenario().length_unit()),
         Target::Toml => aircraft_files::toml(scene)?,
         Target::Json => indented(&aircraft_files::matrices(scene, &plane()?)),
         Target::Jsbsim => jsbsim::jsbsim(scene, notices)?,

@@ -1,4 +1,4 @@
-//! The units in which numbers are shown. Links, files and programs keep SI whatever a person looks at.
+//! The units in which numbers are shown. Links, aircraft files, scripts, JSON and other programs keep SI whatever a person looks at.
 
 use crate::content::LengthUnit;
 use crate::key::keys;
@@ -39,6 +39,20 @@ impl Units {
             Self::Source => of_source,
             Self::Si => LengthUnit::Metre,
             Self::Feet => LengthUnit::Foot,
+        }
+    }
+
+    /// One of the unit that stands for an SI unit among data, in SI, and its symbol: feet for metres where they are chosen; radians
+    /// stay.
+    pub fn of_data(self, si: &str) -> (f64, &str) {
+        let foot = LengthUnit::Foot.metres();
+        match (self, si) {
+            (Self::Feet, "m") => (foot, "ft"),
+            (Self::Feet, "m/s") => (foot, "ft/s"),
+            (Self::Feet, "m/s²") => (foot, "ft/s²"),
+            (Self::Feet, "1/m") => (1.0 / foot, "1/ft"),
+            (Self::Feet, "1/(m·s)") => (1.0 / foot, "1/(ft·s)"),
+            _ => (1.0, si),
         }
     }
 

@@ -142,6 +142,9 @@ pub enum Command {
         subject: SubjectArguments,
         #[command(flatten)]
         disturbance: DisturbanceArguments,
+        /// Units of lengths in figures, LaTeX and CSV, si or ft [default: those of the link, or of the source and SI]
+        #[arg(long, value_name = "UNITS", value_parser = units)]
+        units: Option<Units>,
         /// A file to write it into, instead of printing it; a figure in a file that ends in .png is a picture
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,

@@ -149,8 +149,10 @@ fn answer(command: &Command) -> Result<Vec<u8>, InputError> {
             let report = export::link_to(&subject.read()?, &disturbance.request(), address.as_deref())?;
             if *as_json { json(&report) } else { report.link + "\n" }
         }
-        Command::Export { target, subject, disturbance, output } => {
-            return taken::take(target, &subject.read()?, &disturbance.request(), output.as_deref());
+        Command::Export { target, subject, disturbance, units, output } => {
+            let mut scene = subject.read()?;
+            scene.scenario.units = units.unwrap_or(scene.scenario.units);
+            return taken::take(target, &scene, &disturbance.request(), output.as_deref());
         }
         Command::Completions { shell } => manual::completions(*shell),
         Command::Manual { folder } => manual::write(folder)?,

@@ -45,19 +45,10 @@ impl ShownUnits {
 
     /// One of the unit that stands for an SI unit, in SI, and its symbol.
     pub fn unit(self, si: &str) -> (f64, &str) {
-        let foot = LengthUnit::Foot.metres();
-        let degree = 1_f64.to_radians();
-        if self == Self::Si {
-            return (1.0, si);
-        }
-        match si {
-            "m" => (foot, "ft"),
-            "m/s" => (foot, "ft/s"),
-            "m/s²" => (foot, "ft/s²"),
-            "1/m" => (1.0 / foot, "1/ft"),
-            "1/(m·s)" => (1.0 / foot, "1/(ft·s)"),
-            "rad" => (degree, "deg"),
-            _ => (1.0, si),
+        match (self, si) {
+            (Self::Si, _) => (1.0, si),
+            (Self::Feet, "rad") => (1_f64.to_radians(), "deg"),
+            (Self::Feet, _) => Units::Feet.of_data(si),
         }
     }
 

@@ -1,8 +1,9 @@
-//! What a view shows, as CSV: a head with units, SI, every digit, an empty cell where there is no number.
+//! What a view shows, as CSV: a head with units, every digit, an empty cell where there is no number. Units are SI, with feet for metres
+//! where a person has chosen them.
 
 use crate::export::closed_loop::LoopOutcome;
 use crate::export::error::ExportError;
-use crate::export::frequency::{FrequencyRequest, frequency};
+use crate::export::frequency::{FrequencyRequest, frequency, gain_unit};
 use crate::export::metrics::MetricsReport;
 use crate::export::mode::ModeReport;
 use crate::export::plane::PlaneReport;
@@ -93,11 +94,15 @@ pub fn response(scene: &Scene) -> Result<String, ExportError> {
     let closed = report.closed_loop.iter().flat_map(|closed| closed.controls.iter().chain(&closed.outputs));
     let signals: Vec<(&str, &Signal)> =
         without.map(|signal| ("", signal)).chain(closed.map(|signal| (" under the law", signal))).collect();
-    let names: Vec<String> =
-        signals.iter().map(|(how, signal)| heading(&format!("{}{how}", signal.name), signal.unit)).collect();
+    let unit = |signal: &'_ Signal| scene.scenario.units.of_data(signal.unit);
+    let names: Vec<String> = signals
+        .iter()
+        .map(|(how, signal)| heading(&format!("{}{how}", signal.name), unit(signal).1))
+        .collect();
     let head: Vec<&str> = std::iter::once("time [s]").chain(names.iter().map(String::as_str)).collect();
     let rows = report.time.iter().enumerate().map(|(k, time)| {
-        let values = signals.iter().map(|(_, signal)| optional(signal.values.get(k).copied()));
+        let value = |signal: &Signal| signal.values.get(k).map(|value| value / unit(signal).0);
+        let values = signals.iter().map(|(_, signal)| optional(value(signal)));
         std::iter::once(time.to_string()).chain(values).collect()
     });
     Ok(csv(&head, rows))
@@ -119,17 +124,19 @@ pub fn metrics(findings: &Findings) -> Option<String> {
         "root_mean_square",
     ];
     let rows = metrics.outputs.into_iter().map(|of| {
+        let (in_si, unit) = findings.scenario().units.of_data(of.unit);
+        let shown = |value: Option<f64>| value.map(|value| value / in_si);
         let numbers = [
-            of.peak.map(|peak| peak.value),
+            shown(of.peak.map(|peak| peak.value)),
             of.peak.map(|peak| peak.time),
-            of.beyond,
-            of.steady,
+            shown(of.beyond),
+            shown(of.steady),
             of.rise_time,
             of.settling_time,
             of.overshoot,
-            of.root_mean_square,
+            shown(of.root_mean_square),
         ];
-        [of.name, of.unit].map(str::to_owned).into_iter().chain(numbers.map(optional)).collect()
+        [of.name, unit].map(str::to_owned).into_iter().chain(numbers.map(optional)).collect()
     });
     Some(csv(&head, rows))
 }
@@ -137,34 +144,37 @@ pub fn metrics(findings: &Findings) -> Option<String> {
 /// Gain and phase of the output that the view is of.
 pub fn bode(scene: &Scene) -> Result<String, ExportError> {
     let report = frequency(scene, &FrequencyRequest::default())?;
-    let gain =
-        heading(&format!("gain of {} by {}", report.output.name, report.input.name), &report.gain_unit);
+    let [of, by] = [report.output.unit, report.input.unit].map(|unit| scene.scenario.units.of_data(unit));
+    let (in_si, unit) = (of.0 / by.0, gain_unit(of.1, by.1));
+    let gain = heading(&format!("gain of {} by {}", report.output.name, report.input.name), &unit);
     let mut columns = vec![
-        ("frequency [rad/s]".to_owned(), &report.frequency),
-        (gain.clone(), &report.gain),
-        ("phase [rad]".to_owned(), &report.phase),
+        ("frequency [rad/s]".to_owned(), &report.frequency, 1.0),
+        (gain.clone(), &report.gain, in_si),
+        ("phase [rad]".to_owned(), &report.phase, 1.0),
     ];
     if let Some(closed) = &report.closed_loop {
-        columns.push((format!("{gain} under the law"), &closed.gain));
-        columns.push(("phase [rad] under the law".to_owned(), &closed.phase));
+        columns.push((format!("{gain} under the law"), &closed.gain, in_si));
+        columns.push(("phase [rad] under the law".to_owned(), &closed.phase, 1.0));
     }
-    let rows = (0..report.frequency.len())
-        .map(|k| columns.iter().map(|(_, values)| optional(values.get(k).copied())).collect());
-    let head: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+    let rows = (0..report.frequency.len()).map(|k| {
+        let value = |values: &[f64], in_si: f64| values.get(k).map(|value| value / in_si);
+        columns.iter().map(|(_, values, in_si)| optional(value(values, *in_si))).collect()
+    });
+    let head: Vec<&str> = columns.iter().map(|(name, ..)| name.as_str()).collect();
     Ok(csv(&head, rows))
 }
 
 /// A measure over the range of a slider.
 pub fn chart(findings: &Findings, (parameter, measure): (&'static Parameter, Measure)) -> String {
     let chart = findings.chart(parameter, measure);
+    let [(over, over_unit), (of, of_unit)] = [parameter.dimension, measure.dimension()]
+        .map(|dimension| findings.scenario().units.of_data(dimension.si_symbol()));
     let rows = chart.points.iter().map(|point| {
         let stability = point.stability.map_or("", |stability| stability.key());
-        vec![point.value.to_string(), optional(point.reading), stability.to_owned()]
+        let reading = point.reading.map(|reading| reading / of);
+        vec![(point.value / over).to_string(), optional(reading), stability.to_owned()]
     });
-    let head = [
-        heading(parameter.key, parameter.dimension.si_symbol()),
-        heading(&measure.key(), measure.dimension().si_symbol()),
-    ];
+    let head = [heading(parameter.key, over_unit), heading(&measure.key(), of_unit)];
     csv(&[&head[0], &head[1], "stability"], rows)
 }
 
@@ -173,14 +183,15 @@ pub fn derivatives(findings: &Findings) -> String {
     let scenario = findings.scenario();
     let reference = Scenario::new(scenario.aircraft.clone());
     let row = |p: &'static Parameter| {
+        let (in_si, unit) = scenario.units.of_data(p.dimension.si_symbol());
         vec![
             p.key.to_owned(),
             p.page.map_or("", |page| page.key()).to_owned(),
             p.plane.map_or("", |plane| plane.key()).to_owned(),
             p.name.to_owned(),
-            p.get(scenario).to_string(),
-            p.get(&reference).to_string(),
-            p.dimension.si_symbol().to_owned(),
+            (p.get(scenario) / in_si).to_string(),
+            (p.get(&reference) / in_si).to_string(),
+            unit.to_owned(),
             p.meaning.to_owned(),
         ]
     };

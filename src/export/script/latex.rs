@@ -2,12 +2,16 @@
 
 use super::study::Study;
 use super::text::number;
+use crate::content::LengthUnit;
 use crate::export::mode::ModeReport;
+use crate::export::plane::PlaneReport;
 use crate::number::significant;
+use crate::scenario::Dimension;
 
-/// A document that compiles as it is; what stands in its body may be taken alone.
-pub fn latex(study: &Study) -> String {
+/// A document that compiles as it is, with its velocities in this unit of length a second; what stands in its body may be taken alone.
+pub fn latex(study: &Study, length: LengthUnit) -> String {
     let report = &study.report;
+    let (a, b) = in_length(report, length);
     let mut text =
         String::from("\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n");
     text += "\\usepackage{amsmath,booktabs}\n\\begin{document}\n\n";
@@ -20,15 +24,30 @@ pub fn latex(study: &Study) -> String {
     text += &format!(
         "\\delta = \\begin{{bmatrix}} {inputs} \\end{{bmatrix}}^{{\\mathsf T}}\n\\end{{equation*}}\n"
     );
-    text += &format!("\\begin{{equation*}}\nA = {}\n\\end{{equation*}}\n", matrix(&report.a));
-    text += &format!("\\begin{{equation*}}\nB = {}\n\\end{{equation*}}\n", matrix(&report.b));
-    text += "Units: m/s, rad/s and rad; a throttle as a share of the weight.\n\n";
+    text += &format!("\\begin{{equation*}}\nA = {}\n\\end{{equation*}}\n", matrix(&a));
+    text += &format!("\\begin{{equation*}}\nB = {}\n\\end{{equation*}}\n", matrix(&b));
+    let has_speeds = report.states.iter().any(|key| is_speed(key));
+    let speeds = if has_speeds { format!("{}, ", Dimension::Speed.symbol(length)) } else { String::new() };
+    text += &format!("Units: {speeds}rad/s and rad; a throttle as a share of the weight.\n\n");
     text += "\\begin{center}\n\\begin{tabular}{lrrrrr}\n\\toprule\n";
     text += "Mode & $\\lambda$ [1/s] & $\\omega_n$ [rad/s] & $\\zeta$ & $T$ [s] & $t_{1/2}$ or $t_2$ [s] \\\\\n\\midrule\n";
     for mode in &report.modes {
         text += &row(mode);
     }
     text + "\\bottomrule\n\\end{tabular}\n\\end{center}\n\n\\end{document}\n"
+}
+
+/// Whether a state is a velocity; all others are angles or rates of angles.
+fn is_speed(key: &str) -> bool {
+    matches!(key, "u" | "w" | "v")
+}
+
+/// A and B with velocities in this unit of length a second: T A T⁻¹ and T B.
+fn in_length(report: &PlaneReport, length: LengthUnit) -> ([[f64; 4]; 4], [[f64; 2]; 4]) {
+    // One metre per second in the new unit is 1/l of it; l stays below the line, so that no digit is lost twice.
+    let unit = report.states.map(|key| if is_speed(key) { length.metres() } else { 1.0 });
+    let a = std::array::from_fn(|i| std::array::from_fn(|j| report.a[i][j] * (unit[j] / unit[i])));
+    (a, std::array::from_fn(|i| report.b[i].map(|entry| entry / unit[i])))
 }
 
 fn row(mode: &ModeReport) -> String {

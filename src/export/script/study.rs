@@ -20,7 +20,7 @@ use crate::flight::motion::outputs::{Output, OutputRow};
 use crate::flight::motion::response::{DrivenSystem, Forcing};
 use crate::key::Keyed as _;
 use crate::scenario::view::Tab;
-use crate::scenario::{Convention, Dimension, Notation, Quantity, Scenario};
+use crate::scenario::{Convention, Notation, Quantity, Scenario};
 use crate::words;
 
 /// Times and frequencies at which our own numbers are told.
@@ -175,17 +175,11 @@ pub struct FrequencyStudy {
 }
 
 impl Named {
-    fn of(quantity: Quantity) -> Self {
+    fn of(quantity: Quantity, length: LengthUnit) -> Self {
         let Quantity { key, name, dimension, .. } = quantity;
-        let (shown, per_si) = shown_unit(dimension);
+        let (shown, per_si) = (dimension.symbol(length), 1.0 / dimension.in_si(length));
         Self { key, name, unit: dimension.si_symbol(), shown, per_si }
     }
-}
-
-/// The unit of the page in metres, and how many of it one SI unit is.
-fn shown_unit(dimension: Dimension) -> (&'static str, f64) {
-    let in_si = dimension.in_si(LengthUnit::Metre);
-    (dimension.symbol(LengthUnit::Metre), 1.0 / in_si)
 }
 
 impl Study {
@@ -407,7 +401,7 @@ impl Driven {
         let sign = Quantity::input_sign(plane, channel);
         let [column, rate_column] = [forcing.column, forcing.rate_column]
             .map(|column| scale.column(joined(&(column * sign).into(), &[0.0; 2])));
-        let named = Named::of(Quantity::of_input(plane, channel));
+        let named = Named::of(Quantity::of_input(plane, channel), scale.length);
         Self { named, column, rate_column, input: forcing.input.clone(), sign }
     }
 }
@@ -422,7 +416,7 @@ impl Watched {
     ) -> Self {
         let inputs = row.inputs.iter().zip(signs).map(|(&(d, of_rate), sign)| (d * sign, of_rate * sign));
         Self {
-            named: Named::of(Quantity::of(output)),
+            named: Named::of(Quantity::of(output), scale.length),
             states: scale.row(joined(&row.states.into(), &row.path.into())),
             inputs: inputs.collect(),
             checks,
@@ -453,7 +447,7 @@ impl FrequencyStudy {
             a: scale.matrix(six(&driven)),
             columns: [forcing.column, forcing.rate_column],
             input: forcing.named,
-            output: Named::of(Quantity::of(output)),
+            output: Named::of(Quantity::of(output), scale.length),
             row: scale.row(joined(&row.states.into(), &row.path.into())),
             direct: (d * sign, of_rate * sign),
             range,
@@ -468,6 +462,8 @@ struct Scale {
     of_states: [f64; 4],
     /// Place and key of the state that is an angle of the flow.
     angle: Option<(usize, &'static str)>,
+    /// The unit of length of pictures.
+    length: LengthUnit,
 }
 
 impl Scale {
@@ -479,6 +475,7 @@ impl Scale {
         Self {
             of_states: std::array::from_fn(|state| convention.of_state(plane, state)),
             angle: convention.angle(plane).map(|place| (place, key)),
+            length: convention.length,
         }
     }
 
