@@ -187,7 +187,7 @@ fn text(
     if is_without_law && !findings.scenario().law.is_open(findings.scenario().plane) {
         notices.push(words::feedback::TAKEN_WITHOUT.to_owned());
     }
-    Ok(match target {
+    let taken = match target {
         Target::Python => python::python(&study()?),
         Target::Notebook => indented(&notebook::notebook(&study()?)),
         Target::Matlab => matlab::matlab(&study()?),
@@ -216,7 +216,14 @@ fn text(
             };
             page::page(scene, findings, flown()?, motion.as_deref())
         }
-    })
+    };
+    if matches!(target.form().0, "svg" | "html") {
+        let letters = figure::without_outline(&taken);
+        if !letters.is_empty() {
+            notices.push(words::scene::no_outline(&letters));
+        }
+    }
+    Ok(taken)
 }
 
 /// The slider and the measure of the chart.

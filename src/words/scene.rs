@@ -1,4 +1,4 @@
-//! A scene in a few words, as the heading of a slide that has none.
+//! A scene in a few words, as the heading of a slide that has none, and what is said of it on paper.
 
 use super::{disturbance, mode, view};
 use crate::flight::modes::mode_name::ModeName;
@@ -26,6 +26,14 @@ pub fn printed(link: Option<&str>, is_own: bool) -> Option<&'static str> {
         ),
         None => Some("Without a link: the aircraft is none of the list, and known by its matrices only."),
     }
+}
+
+/// Why some words of a figure look otherwise elsewhere: its letters are outlines, and these have none.
+pub fn no_outline(letters: &[&str]) -> String {
+    let letters = letters.join(" ");
+    format!(
+        "Words with {letters} stay text, in whatever font there is: figures have no outline of it. A picture from the command line lacks such words."
+    )
 }
 
 /// What disturbs it. `flown` is the name of the mode that is flown alone, if it may be told.

@@ -2,7 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::plot::{LEFT, RIGHT, TOP, WIDTH, document, n};
+use super::ink::n;
+use super::plot::{LEFT, RIGHT, TOP, WIDTH, document};
 use crate::content::shapes::{USUAL_SHAPE, embedded_shape};
 use crate::findings::Findings;
 use crate::scenario::view::StandardView;

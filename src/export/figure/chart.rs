@@ -2,7 +2,9 @@
 
 use maud::html;
 
-use super::plot::{Axis, COLOURS, LEFT, Plot, RIGHT, Scale, TOP, WEAK, WIDTH, document, n};
+use super::ink::{COLOURS, WEAK, n};
+use super::letters::{self, Align};
+use super::plot::{Axis, LEFT, Plot, RIGHT, Scale, TOP, WIDTH, document};
 use super::response::plain;
 use crate::export::scene::Scene;
 use crate::findings::measures::{Measure, Reading};
@@ -87,7 +89,7 @@ pub fn chart(
             (plot.curve(line.iter().map(|(x, y)| (x / x_si, y / y_si)), COLOURS[2], "5 3"))
             @if let Some((x, y)) = line.last() {
                 @let (x, y) = plot.place((x / x_si, y / y_si));
-                text x=(n(x - 3.0)) y=(n(y - 3.0)) text-anchor="end" fill=(COLOURS[2]) { (words::chart::limit(limit.level)) }
+                (letters::words((x - 3.0, y - 3.0), Align::End, COLOURS[2], words::chart::limit(limit.level)))
             }
         }
         @for line in &own { (plot.curve(across(*line), COLOURS[3], "1.5 2.5")) }

@@ -2,7 +2,8 @@
 
 use maud::html;
 
-use super::plot::{Axis, COLOURS, LEFT, Plot, RIGHT, Scale, TOP, WIDTH, around, document};
+use super::ink::COLOURS;
+use super::plot::{Axis, LEFT, Plot, RIGHT, Scale, TOP, WIDTH, around, document};
 use crate::export::scene::Scene;
 use crate::findings::Findings;
 use crate::scenario::Quantity;

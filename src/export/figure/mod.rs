@@ -1,7 +1,9 @@
-//! Figures for paper, as SVG: as wide as the text of a page, in the colours of the light page, with text that stays text.
+//! Figures for paper, as SVG: as wide as the text of a page, in the colours of the light page, with words as outlines.
 //!
 //! | file | in one line |
 //! |---|---|
+//! | `ink` | colours, and how a number of the drawing is written |
+//! | `letters` | words as outlines |
 //! | `plot` | a frame with round numbers on its axes, curves, and the document around it |
 //! | `poles` | the pole map |
 //! | `response` | the motion over time |
@@ -12,6 +14,8 @@
 mod aircraft;
 mod chart;
 mod frequency;
+mod ink;
+mod letters;
 mod plot;
 mod poles;
 mod response;
@@ -22,6 +26,7 @@ use crate::words;
 pub(super) use aircraft::aircraft;
 pub(super) use chart::chart;
 pub(super) use frequency::frequency;
+pub(super) use letters::without_outline;
 pub(super) use poles::poles;
 pub(super) use response::{plain, response};
 

@@ -2,6 +2,8 @@
 
 use maud::{Markup, PreEscaped, html};
 
+use super::ink::{GRID, TEXT, WEAK, n};
+use super::letters::{self, Align};
 use crate::number::{fixed, nice_step};
 
 /// Width of a figure: the text of an A4 page, 160 mm.
@@ -12,13 +14,6 @@ pub const LEFT: f64 = 54.0;
 pub const RIGHT: f64 = 10.0;
 /// Between one tick and the next, at least.
 const APART: [f64; 2] = [55.0, 22.0];
-
-/// Colours of curves and poles, in order: told apart by people who see few colours, and by their darkness in print.
-pub const COLOURS: [&str; 5] = ["#0072b2", "#d55e00", "#008a65", "#b04a84", "#8c5e00"];
-const TEXT: &str = "#1f2d3a";
-const GRID: &str = "#dce3ea";
-/// Lines that are looked past: axes through zero, what is pinned, limits.
-pub const WEAK: &str = "#788694";
 
 /// How an axis is divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,22 +108,18 @@ impl Plot {
                 }
             }
             rect x=(n(left)) y=(n(top)) width=(n(width)) height=(n(height)) fill="none" stroke=(WEAK) stroke-width="0.7" {}
-            g text-anchor="end" {
-                @for tick in &rows {
-                    @let (_, y) = self.place((across.range.0, tick.value));
-                    text x=(n(left - 5.0)) y=(n(y + 3.0)) { (tick.label) }
-                }
+            @for tick in &rows {
+                @let (_, y) = self.place((across.range.0, tick.value));
+                (letters::words((left - 5.0, y + 3.0), Align::End, TEXT, &tick.label))
             }
             @if !across.title.is_empty() {
-                g text-anchor="middle" {
-                    @for tick in &columns {
-                        @let (x, _) = self.place((tick.value, upward.range.0));
-                        text x=(n(x)) y=(n(bottom + 12.0)) { (tick.label) }
-                    }
-                    text x=(n(left + 0.5 * width)) y=(n(bottom + 26.0)) { (across.title) }
+                @for tick in &columns {
+                    @let (x, _) = self.place((tick.value, upward.range.0));
+                    (letters::words((x, bottom + 12.0), Align::Middle, TEXT, &tick.label))
                 }
+                (letters::words((left + 0.5 * width, bottom + 26.0), Align::Middle, TEXT, &across.title))
             }
-            text x=(n(left)) y=(n(top - 5.0)) font-weight="600" { (upward.title) }
+            (letters::heading((left, top - 5.0), &upward.title))
         }
     }
 
@@ -184,12 +175,6 @@ pub fn around(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if span > 0.0 { (low - 0.08 * span, high + 0.08 * span) } else { (-1.0, 1.0) }
 }
 
-/// A number of the drawing: hundredths of a point.
-pub fn n(x: f64) -> String {
-    let x = (100.0 * x).round() / 100.0 + 0.0;
-    x.to_string()
-}
-
 /// Top of the first frame: below the titles of the document and its own.
 pub const TOP: f64 = 50.0;
 /// Characters of a note that have room on a line.
@@ -218,15 +203,14 @@ pub fn document(bottom: f64, title: &str, about: &str, note: &str, drawn: &Marku
     let svg = html! {
         (PreEscaped("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"))
         svg xmlns="http://www.w3.org/2000/svg" width=(millimetres(WIDTH)) height=(millimetres(height))
-            viewBox={ "0 0 " (n(WIDTH)) " " (n(height)) } role="img" aria-label={ (title) ". " (about) ". " (note) }
-            font-family="Inter, Helvetica, Arial, sans-serif" font-size="9" fill=(TEXT) {
+            viewBox={ "0 0 " (n(WIDTH)) " " (n(height)) } role="img" aria-label={ (title) ". " (about) ". " (note) } {
             title { (title) }
             rect width="100%" height="100%" fill="#ffffff" {}
-            text x=(n(LEFT)) y="14" font-size="10.5" font-weight="600" { (title) }
-            text x=(n(LEFT)) y="27" fill=(WEAK) { (about) }
+            (letters::title((LEFT, 14.0), title))
+            (letters::words((LEFT, 27.0), Align::Start, WEAK, about))
             (drawn)
             @for (k, line) in notes.iter().enumerate() {
-                text x=(n(LEFT)) y=(n(bottom + 8.0 + 12.0 * k as f64)) fill=(WEAK) { (line) }
+                (letters::words((LEFT, bottom + 8.0 + 12.0 * k as f64), Align::Start, WEAK, line))
             }
         }
     };

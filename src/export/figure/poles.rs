@@ -2,7 +2,9 @@
 
 use maud::html;
 
-use super::plot::{Axis, COLOURS, LEFT, Plot, RIGHT, Scale, TOP, WEAK, WIDTH, document, n};
+use super::ink::{COLOURS, WEAK, n};
+use super::letters::{self, Align};
+use super::plot::{Axis, LEFT, Plot, RIGHT, Scale, TOP, WIDTH, document};
 use crate::export::scene::Scene;
 use crate::findings::Findings;
 use crate::flight::analysis::PlaneAnalysis;
@@ -59,10 +61,9 @@ pub fn poles(scene: &Scene, findings: &Findings, plane: &PlaneAnalysis) -> Strin
             // Names of real roots stand in turn above and below the axis: two of them may be near each other.
             @let below = !mode.is_oscillatory() && k % 2 == 1;
             @let near_right = x > WIDTH - 110.0;
-            text x=(n(if near_right { x - 8.0 } else { x + 8.0 })) y=(n(if below { y + 16.0 } else { y - 7.0 }))
-                text-anchor=(if near_right { "end" } else { "start" }) fill=(colour) {
-                (words::mode::title(mode.naming.name)) " " (eigenvalue(mode.lambda))
-            }
+            @let (x, align) = if near_right { (x - 8.0, Align::End) } else { (x + 8.0, Align::Start) };
+            @let name = format!("{} {}", words::mode::title(mode.naming.name), eigenvalue(mode.lambda));
+            (letters::words((x, if below { y + 16.0 } else { y - 7.0 }), align, colour, &name))
         }
     };
     let aircraft = &findings.scenario().aircraft;

@@ -2,7 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::plot::{Axis, COLOURS, LEFT, Plot, RIGHT, Scale, TOP, WEAK, WIDTH, around, document, n};
+use super::ink::{COLOURS, WEAK, n};
+use super::plot::{Axis, LEFT, Plot, RIGHT, Scale, TOP, WIDTH, around, document};
 use crate::export::scene::Scene;
 use crate::findings::Findings;
 use crate::flight::motion::outputs::Output;
