@@ -275,7 +275,7 @@ fn each_of_sixteen_modes_has_its_place_in_a_link() {
     let mut scenario = scenario(import_files::aircraft(&review));
     let ships: Vec<Arc<Aircraft>> = embedded_aircraft().0.into_iter().map(Arc::new).collect();
     let choice = |scenario: &Scenario| scenario.disturbance.choices[Longitudinal];
-    scenario.disturbance.choices[Longitudinal].source = Source::Mode;
+    scenario.disturbance.choices[Longitudinal].source = Source::OneMode;
     for mode in 0..16 {
         scenario.disturbance.choices[Longitudinal].mode = mode;
         let text = link::write(&scenario, &View::of(&scenario), None);
