@@ -29,6 +29,9 @@ const DYNAMIC_COLUMNS: [(&str, &str); 9] = [
 /// Columns whose first row holds for all.
 const ONCE: [&str; 4] = ["CYB", "CNB", "CLQ", "CMQ"];
 
+/// The middle of a number is no farther from that of its column's name, in half characters; half a column is more.
+const FARTHEST: usize = 10;
+
 /// A table over the angle of attack.
 #[derive(Default)]
 struct Table<'t> {
@@ -64,12 +67,15 @@ struct Condition<'t> {
 }
 
 pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
-    let lines: Vec<&str> = text.lines().collect();
+    // The printer's controls stand in the first column, wherever a mail has moved it.
+    let indent = |line: &str| line.len() - line.trim_start_matches(' ').len();
+    let margin = text.lines().filter(|line| !line.trim().is_empty()).map(indent).min().unwrap_or(0);
+    let lines: Vec<&str> = text.lines().map(|line| line.get(margin..).unwrap_or_default()).collect();
     let starts: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].contains(STATIC)).collect();
     let mut conditions = Vec::new();
     for (k, &start) in starts.iter().enumerate() {
         let end = starts.get(k + 1).copied().unwrap_or(lines.len());
-        conditions.extend(condition(&lines, start, end));
+        conditions.extend(condition(&lines, start, end)?);
     }
     if conditions.is_empty() {
         return Err((1, format!("expected a table “{STATIC}” with numbers, found none")));
@@ -115,12 +121,15 @@ pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
 }
 
 /// The tables between two lines.
-fn condition<'t>(lines: &[&'t str], start: usize, end: usize) -> Option<Condition<'t>> {
+fn condition<'t>(lines: &[&'t str], start: usize, end: usize) -> Result<Option<Condition<'t>>, Problem> {
     let at = |from: usize, text: &str| (from..end).find(|&k| lines[k].contains(text));
-    let units = at(start, "/SEC")?;
-    let flight: Vec<f64> = body(lines.get(units + 1)?).split_whitespace().map_while(number).collect();
-    let statics = table(lines, at(start, "DERIVATIVE (PER")?, end);
-    let dynamics = at(start, DYNAMIC).map(|k| table(lines, k, end)).unwrap_or_default();
+    let Some(units) = at(start, "/SEC") else { return Ok(None) };
+    let (Some(numbers), Some(heading)) = (lines.get(units + 1), at(start, "DERIVATIVE (PER")) else {
+        return Ok(None);
+    };
+    let flight: Vec<f64> = body(numbers).split_whitespace().map_while(number).collect();
+    let statics = table(lines, heading, end)?;
+    let dynamics = at(start, DYNAMIC).map(|k| table(lines, k, end)).transpose()?.unwrap_or_default();
     let elevator = at(start, CONTROLS)
         .filter(|&k| below(lines, k + 1, end.min(k + 3)).iter().any(|line| line.contains("TAIL")))
         .and_then(|k| elevator(lines, k, end));
@@ -130,7 +139,7 @@ fn condition<'t>(lines: &[&'t str], start: usize, end: usize) -> Option<Conditio
         !line.is_empty() && !is_head
     };
     let title = below(lines, start + 1, units).iter().map(|line| body(line).trim().to_owned()).rfind(is_name);
-    (!statics.rows.is_empty()).then(|| Condition {
+    Ok((!statics.rows.is_empty()).then(|| Condition {
         line: units + 2,
         flight,
         in_feet: lines[units].contains("FT/SEC"),
@@ -138,7 +147,7 @@ fn condition<'t>(lines: &[&'t str], start: usize, end: usize) -> Option<Conditio
         dynamics,
         elevator,
         title: title.unwrap_or_default(),
-    })
+    }))
 }
 
 /// The lines between two; none where a cut file has them the other way round.
@@ -164,10 +173,10 @@ fn words(line: &str) -> Vec<(&str, usize)> {
 }
 
 /// The table below a heading.
-fn table<'t>(lines: &[&'t str], heading: usize, end: usize) -> Table<'t> {
+fn table<'t>(lines: &[&'t str], heading: usize, end: usize) -> Result<Table<'t>, Problem> {
     let mut table = Table { by_degree: lines[heading].contains("DEGREE"), ..Table::default() };
     let Some(head) = (heading..end.min(heading + 4)).find(|&k| lines[k].contains("ALPHA")) else {
-        return table;
+        return Ok(table);
     };
     let columns = words(lines[head]);
     // The printer's control may stand before the first word.
@@ -186,15 +195,24 @@ fn table<'t>(lines: &[&'t str], heading: usize, end: usize) -> Table<'t> {
         }
         let mut row = vec![None; columns.len()];
         let mut next = 0;
-        for (word, place) in found {
+        let is_full = found.len() == columns.len();
+        for (at, (word, place)) in found.into_iter().enumerate() {
             let nearest = (next..columns.len()).min_by_key(|&column| columns[column].1.abs_diff(place));
-            let Some(column) = nearest else { break };
+            let Some(column) = nearest.map(|column| if is_full { at } else { column }) else { break };
+            if !is_full && columns[column].1.abs_diff(place) > FARTHEST {
+                return Err((
+                    k + 1,
+                    format!(
+                        "{word} is not below the name of a column; are the columns those that DATCOM has printed?"
+                    ),
+                ));
+            }
             row[column] = number(word);
             next = column + 1;
         }
         table.rows.push((k + 1, row));
     }
-    table
+    Ok(table)
 }
 
 /// What a tail flap does about its neutral position.

@@ -117,7 +117,13 @@ pub(super) fn read_json(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
     };
     let all = read.map_err(|error| {
         let told = error.to_string();
-        (error.line().max(1), told.split(" at line ").next().unwrap_or_default().to_owned())
+        let told = told.split(" at line ").next().unwrap_or_default();
+        let told = if error.is_eof() {
+            "the file is cut off: it ends in the middle of a linearisation"
+        } else {
+            told
+        };
+        (error.line().max(1), told.to_owned())
     })?;
     let words: Vec<String> = all.iter().map(Linearisation::words).collect();
     let Some(k) = cases::chosen(sheet, "linearisation", &words, None)? else { return Ok(()) };

@@ -113,7 +113,7 @@ pub fn review(files: &[FileBytes<'_>], fills: &BTreeMap<String, String>) -> Resu
     };
     let mass =
         mass.map(|(name, text, _)| avl::MassFile::read(&plain_signs(text)).map_err(at(name))).transpose()?;
-    let form = match detect::form(name, text) {
+    let form = match detect::form(name, &text.replace('−', "-").replace('\u{a0}', " ")) {
         Found::Form(form) => form,
         Found::Other(sentence) => return Err(at(name)((1, sentence.to_owned()))),
     };
@@ -175,6 +175,26 @@ fn read(
         sheet.review.title = aircraft.name;
         sheet.review.aircraft = Some(text.to_owned());
         return Ok(());
+    }
+    let is_printed =
+        matches!(form, Form::AvlStability | Form::AvlSystem | Form::Xflr5 | Form::Vspaero | Form::Datcom);
+    // Blanks that don't break are those of a page or a text processor.
+    let blank = if is_printed { text.replace('\u{a0}', " ") } else { text.to_owned() };
+    let with_points = scan::decimal_points(&blank).filter(|_| is_printed);
+    if with_points.is_some() {
+        sheet.remark("The commas in its numbers were read as points.");
+    }
+    let text = with_points.as_deref().unwrap_or(&blank);
+    if matches!(form, Form::AvlStability | Form::Xflr5) {
+        for (line, text) in (1..).zip(text.lines()) {
+            for (name, word) in scan::unreadable(text) {
+                sheet.warn(
+                    "unreadable",
+                    format!("{name} on line {line} is “{word}”, which is no number."),
+                    Vec::new(),
+                );
+            }
+        }
     }
     let mut by_derivatives = false;
     let mut has_table = false;

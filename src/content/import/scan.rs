@@ -40,6 +40,40 @@ pub(super) fn pairs(line: &str) -> Vec<Pair<'_>> {
     pairs
 }
 
+/// What stands behind an equals sign and was to be a number: the stars of Fortran for one that is too wide, or no number at all.
+pub(super) fn unreadable(line: &str) -> Vec<(&str, &str)> {
+    let mut found = Vec::new();
+    for (at, _) in line.match_indices('=') {
+        let name = line[..at].split_whitespace().next_back().unwrap_or_default();
+        let word = line[at + 1..].split_whitespace().next().unwrap_or_default();
+        let plain = word.trim_start_matches(['+', '-']).to_lowercase();
+        if plain.starts_with("**") || plain.starts_with("nan") || plain.starts_with("inf") {
+            found.push((name, word));
+        }
+    }
+    found
+}
+
+/// A text with commas in its numbers as one with points, where it has more of those; `None` where it needs none.
+pub(super) fn decimal_points(text: &str) -> Option<String> {
+    let letters: Vec<char> = text.chars().collect();
+    let between = |sign: char| {
+        letters
+            .windows(3)
+            .filter(move |w| w[0].is_ascii_digit() && w[1] == sign && w[2].is_ascii_digit())
+            .count()
+    };
+    if between(',') <= between('.') {
+        return None;
+    }
+    let digit = |k: Option<usize>| k.and_then(|k| letters.get(k)).is_some_and(char::is_ascii_digit);
+    let turned = letters
+        .iter()
+        .enumerate()
+        .map(|(k, &c)| if c == ',' && digit(k.checked_sub(1)) && digit(Some(k + 1)) { '.' } else { c });
+    Some(turned.collect())
+}
+
 /// A sign, digits with a point, an exponent.
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
@@ -94,6 +128,19 @@ mod tests {
     fn numbers_that_touch_are_parted_and_exponents_are_not() {
         assert_eq!(glued(" 0.0000-1249.8599  -0.1535E-01 0.000"), Some(vec![0.0, -1249.8599, -0.01535, 0.0]));
         assert_eq!(glued("u w q"), None);
+    }
+
+    #[test]
+    fn commas_are_points_where_there_are_more_of_them() {
+        assert_eq!(
+            decimal_points("CLa =   4,44    Cma = -0,683, 2").as_deref(),
+            Some("CLa =   4.44    Cma = -0.683, 2")
+        );
+        assert_eq!(decimal_points("a = 1.5, b = 2.5 (1,2)"), None);
+        assert_eq!(
+            unreadable(" CLa = ******** Cma =-NaN Cmq = 3 info = x"),
+            [("CLa", "********"), ("Cma", "-NaN")]
+        );
     }
 
     #[test]

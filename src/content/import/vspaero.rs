@@ -43,7 +43,15 @@ impl<'t> Case<'t> {
 
 pub(super) fn read(sheet: &mut Sheet, text: &str) -> Result<(), Problem> {
     let cases = tables(text)?;
-    let cases: Vec<Case<'_>> = cases.into_iter().filter(|case| case.entry("CL", "Alpha").is_some()).collect();
+    let is_whole = |case: &Case<'_>| case.entry("CL", "Alpha").is_some();
+    for case in cases.iter().filter(|case| !is_whole(case)) {
+        if let Some((_, _, line, _)) = case.values.first() {
+            sheet.remark(format!(
+                "The table that begins on line {line} has no C_L by α, and is left out: is it cut off?"
+            ));
+        }
+    }
+    let cases: Vec<Case<'_>> = cases.into_iter().filter(is_whole).collect();
     if cases.is_empty() {
         return Err((
             1,

@@ -243,6 +243,15 @@ fn matrices(lines: &[Line<'_>]) -> Result<Matrices, Problem> {
             };
             rows.push(At { line, value });
         } else if !text.trim().is_empty() {
+            let started = match (below, sets.last()) {
+                (Some(Below::State(Plane::Longitudinal)), _) => Some(&found.longitudinal),
+                (Some(Below::State(Plane::Lateral)), _) => Some(&found.lateral),
+                (Some(Below::Control(plane)), Some(set)) => Some(&set.planes[plane]),
+                _ => None,
+            };
+            if started.is_some_and(|rows| rows.len() < 4) {
+                return Err((line, format!("expected four rows of numbers, found “{}”", text.trim())));
+            }
             below = None;
         }
     }
@@ -360,6 +369,12 @@ fn derivatives(sheet: &mut Sheet, lines: &[Line<'_>]) -> Result<bool, Problem> {
         }
     }
     let printed = by_control(lines);
+    if let Some((_, line, values)) = printed.iter().find(|(_, _, values)| values.contains(&None)) {
+        let found = values.iter().flatten().count();
+        let problem =
+            format!("expected six derivatives by a control, Xde to Nde, found {found}; is the log cut off?");
+        return Err((*line, problem));
+    }
     let sets: Vec<ControlSet> = printed
         .iter()
         .map(|(name, line, values)| {
