@@ -310,8 +310,8 @@ for (const viewport of SCREENS) {
       await until(place, (step) => step === 1, "the first slide");
       const small = [];
       let measured = 0;
+      await rest();
       for (let slide = 1; ; slide += 1) {
-        await rest();
         const found = await letters(page, await page.screenshot());
         measured += found.length;
         small.push(...found.filter(({ height }) => height < LEAST * viewport.height - 1).map((line) => ({ slide, ...line })));

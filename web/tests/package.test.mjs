@@ -9,7 +9,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 
-const run = (program, args, options) => promisify(execFile)(program, args, { timeout: 120_000, ...options });
+const run = (program, args, options) => promisify(execFile)(program, args, { timeout: 600_000, ...options });
 const TSC = fileURLToPath(new URL("../node_modules/typescript/bin/tsc", import.meta.url));
 
 test("the package installs, answers in Node.js, and has its types", async (t) => {

@@ -39,6 +39,7 @@ function browserWith(flags) {
       chromium.launch({
         executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
         args: [...FLAGS, ...flags],
+        timeout: SILENCE,
       }),
     );
   }
@@ -82,6 +83,7 @@ export async function open(t, options = {}) {
   const server = await serve(options.server);
   const acted = scale ? { viewport: null } : { viewport, hasTouch: touch, isMobile: touch };
   const context = await browser.newContext({ colorScheme, ...acted, ...options.media });
+  context.setDefaultTimeout(PATIENCE);
   const watch = setTimeout(() => giveUp(`no page has answered for ${SILENCE / 1000} s: ${t.name}`), SILENCE);
   watches.add(watch);
   t.after(async () => {
@@ -96,7 +98,6 @@ export async function open(t, options = {}) {
   // What the page has done: text of console errors and warnings, uncaught errors, addresses asked for.
   const seen = { console: [], errors: [], requests: [] };
   const page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE);
   page.on("console", (message) => {
     const text = message.text();
     const complaint = ["error", "warning"].includes(message.type());

@@ -18,6 +18,7 @@ const browser = await puppeteer.launch({
   executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr",
   headless: false,
   env: screen.environment,
+  timeout: LONGEST,
   protocolTimeout: LONGEST,
 });
 
