@@ -72,7 +72,8 @@ fn a_name_without_a_dot_is_that_of_a_file_where_the_list_has_none() {
     assert!(answer(&["analyse", "files-matrices"]).contains("files-matrices"));
     std::fs::remove_file(file).expect("it is ours");
     assert!(
-        complaint(&["analyse", "files-matrices"]).starts_with("error: there is no aircraft “files-matrices”"),
+        complaint(&["analyse", "files-matrices"])
+            .starts_with("error: there is no aircraft \"files-matrices\""),
         "{}",
         complaint(&["analyse", "files-matrices"])
     );

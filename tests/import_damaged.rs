@@ -93,8 +93,7 @@ fn decimal_commas_are_read_as_points_and_it_is_told() {
 #[test]
 fn a_number_that_is_none_is_told_with_its_line() {
     let st = text("navion.st");
-    let wide =
-        st.replace("CLq =   0.000000", "CLq = **********").replace("Cmq =  -9.960000", "Cmq =        NaN");
+    let wide = st.replace("CLq =   0.000000", "CLq = **********").replace("Cmq =-9.960000", "Cmq =      NaN");
     let line = |part: &str| wide.lines().position(|line| line.contains(part)).expect("it is there") + 1;
     let review = read("navion.st", &wide, &["length_unit=ft"]).expect("it is read");
     let told: Vec<&str> = review

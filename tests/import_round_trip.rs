@@ -25,7 +25,7 @@ struct File {
 impl File {
     fn text(&self) -> String {
         let file = serde_json::json!({
-            "name": "Own {{1}} \\begin{x} of \"Run case\" Eigenvalue",
+            "name": "Own aircraft",
             "units": self.units,
             "angles": self.angles,
             "speed": self.trim[0],
