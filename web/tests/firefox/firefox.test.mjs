@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { frames, pass, until } from "../page.mjs";
+import { pass, until } from "../page.mjs";
 import { open } from "./page.mjs";
 
 const PITCH_STIFFNESS = "pitch stiffness C_mα";
@@ -19,7 +19,7 @@ async function middle(page, element) {
 }
 
 test("the page starts, and a slider follows keyboard and mouse into the address", async (t) => {
-  const { page, url, state, role, complaints, screenshot } = await open(t);
+  const { page, url, state, role, act, complaints, screenshot } = await open(t);
   const before = await state();
   assert.equal(before.aircraft, "navion");
   await screenshot("firefox");
@@ -30,15 +30,10 @@ test("the page starts, and a slider follows keyboard and mouse into the address"
   const stepped = await until(state, (now) => now.parameters.cm_alpha > before.parameters.cm_alpha, "a step by keyboard");
 
   const { x, y, width } = await middle(page, slider);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await frames(page);
-  for (let i = 1; i <= 5; i += 1) {
-    await page.mouse.move(x + (i * width) / 20, y);
-    await frames(page);
-  }
-  await page.mouse.up();
-  await frames(page);
+  await act("mousemove", () => page.mouse.move(x, y));
+  await act("mousedown", () => page.mouse.down());
+  for (let i = 1; i <= 5; i += 1) await act("mousemove", () => page.mouse.move(x + (i * width) / 20, y));
+  await act("mouseup", () => page.mouse.up());
   const drawn = await state();
   assert.ok(drawn.parameters.cm_alpha > stepped.parameters.cm_alpha, "drawn along by mouse");
   await until(() => page.evaluate(() => location.hash), (hash) => hash.includes(`cm_alpha=${drawn.parameters.cm_alpha}`), "in the address");
@@ -78,7 +73,7 @@ test("a link opens its scene, a lesson is read, and a table that is dropped is a
 });
 
 test("by finger on a phone: a pane is tapped, and a slider drawn along", async (t) => {
-  const { page, state, role, complaints, screenshot } = await open(t, { viewport: { width: 390, height: 844, hasTouch: true } });
+  const { page, state, role, act, complaints, screenshot } = await open(t, { viewport: { width: 390, height: 844, hasTouch: true } });
   const tap = async (element) => {
     const { x, y } = await middle(page, element);
     await page.touchscreen.tap(x, y);
@@ -89,16 +84,12 @@ test("by finger on a phone: a pane is tapped, and a slider drawn along", async (
   const slider = await role("slider", "shift of the centre of gravity Δx_cg/c");
   const before = await state();
   const { x, y, width } = await middle(page, slider);
-  await page.touchscreen.touchStart(x, y);
   // Each where it is heard by itself: a press, and what is drawn along, take a frame each.
-  for (let i = 1; i <= 6; i += 1) {
-    await frames(page);
-    await page.touchscreen.touchMove(x - (i * width) / 24, y + i);
-  }
-  await frames(page);
+  await act("touchstart", () => page.touchscreen.touchStart(x, y));
+  for (let i = 1; i <= 6; i += 1) await act("touchmove", () => page.touchscreen.touchMove(x - (i * width) / 24, y + i));
   const drawn = await state();
   assert.ok(drawn.parameters.cg < before.parameters.cg, "drawn along");
-  await page.touchscreen.touchEnd();
+  await act("touchend", () => page.touchscreen.touchEnd());
   await pass(page, 500);
   assert.equal((await state()).parameters.cg, drawn.parameters.cg, "it stays where the finger left it");
   await screenshot("firefox-phone");

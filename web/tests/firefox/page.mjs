@@ -4,7 +4,7 @@ import { mkdirSync } from "node:fs";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import puppeteer from "puppeteer-core";
-import { until } from "../page.mjs";
+import { frames, until } from "../page.mjs";
 import { open as openScreen } from "../screen.mjs";
 import { serve } from "../server.mjs";
 
@@ -48,6 +48,11 @@ export async function open(t, { viewport = { width: 1440, height: 900 }, fragmen
   // A page that has greeted the person before; the empty one has no storage.
   await page.evaluateOnNewDocument(() => {
     if (location.protocol === "http:") localStorage.setItem("eigenwing.greeted", "yes");
+    // How often the page has heard of mouse and finger.
+    window.heard = {};
+    for (const type of ["mousedown", "mousemove", "mouseup", "touchstart", "touchmove", "touchend"]) {
+      addEventListener(type, () => (window.heard[type] = (window.heard[type] ?? 0) + 1), { capture: true });
+    }
   });
 
   const ready = () => until(() => page.evaluate(() => document.getElementById("welcome").hidden), Boolean, "the first frame", LONGEST);
@@ -64,6 +69,14 @@ export async function open(t, { viewport = { width: 1440, height: 900 }, fragmen
     state: async () => JSON.parse(await page.evaluate(() => window.eigenwing.state())),
     // An element of the mirror by its role and accessible name: `role("slider", "airspeed V")`.
     role: (role, name) => page.waitForSelector(`::-p-aria([name="${name}"][role="${role}"])`),
+    // Moves the mouse or a finger, and waits until the page has heard of it and has drawn: it may hear of it later than it is done.
+    act: async (type, move) => {
+      const heard = () => page.evaluate((type) => window.heard[type] ?? 0, type);
+      const before = await heard();
+      await move();
+      await until(heard, (now) => now > before, `${type} is heard`, LONGEST);
+      await frames(page);
+    },
     // A picture in web/screenshots/.
     screenshot: async (name) => {
       mkdirSync(SCREENSHOTS, { recursive: true });
