@@ -38,7 +38,7 @@ fn shipped(key: &str) -> &'static str {
 
 #[test]
 fn an_aircraft_file_is_read_in_every_encoding() {
-    let text = shipped("navion").replacen("Navion", "Flugzeug für Übungen", 1);
+    let text = shipped("navion").replacen("name = \"Navion", "name = \"Flugzeug für Übungen", 1);
     let units = |to: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(to).collect::<Vec<u8>>();
     let little = [&[0xff, 0xfe][..], &units(u16::to_le_bytes)].concat();
     let big = [&[0xfe, 0xff][..], &units(u16::to_be_bytes)].concat();

@@ -215,7 +215,7 @@ fn a_mistake_is_one_sentence_with_its_line() {
         (
             &JSON.replace("\"inputs\"", "\"input\""),
             Json,
-            "mine, line 5: unknown field `input`, expected one of `units`, `angles`, `V`, `speed`, `U0`, `u0`, `alpha0_deg`, `gamma0_deg`, `name`, `states`, `inputs`, `A`, `B`",
+            "mine, line 5: \"input\" is no key known here; expected units, angles, speed or u0, alpha0_deg, gamma0_deg, name, states, inputs, A and B",
         ),
         (
             &CSV.replace("q,0.0063,", "q,"),

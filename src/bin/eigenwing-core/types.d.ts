@@ -799,6 +799,8 @@ export type ReviewChoice = {
 export type ReviewDoubt = {
   /** Its key. */
   key: string,
+  /** Line of the file, counted from 1; 0 where it concerns the whole. */
+  line: number,
   /** Whether the aircraft can be used all the same. */
   stops: boolean,
   /** A sentence with the numbers that show it. */

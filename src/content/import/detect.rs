@@ -29,6 +29,13 @@ pub(super) fn form(name: &str, text: &str) -> Found {
     }
     let has = |part: &str| text.contains(part);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_lowercase();
+    let first = text.trim_start();
+    // What stands in an object may be anything, names of other forms too.
+    let is_jsbsim = has("\"x_names\"") && has("\"A\"");
+    let is_object = first.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
+    if is_object || first.starts_with('[') && is_jsbsim {
+        return Found::Form(if is_jsbsim { Form::JsbsimJson } else { Form::Json });
+    }
     if has("STABILITY AND CONTROL METHODS PER APRIL 1976") {
         return Found::Form(Form::Datcom);
     }
@@ -64,12 +71,6 @@ pub(super) fn form(name: &str, text: &str) -> Found {
         has("Longitudinal state matrix") || has("Lateral state matrix") || has("Longitudinal derivatives");
     if has_log || (has("State matrices") && has("state matrix")) {
         return Found::Form(Form::Xflr5);
-    }
-    let first = text.trim_start();
-    let is_jsbsim = has("\"x_names\"") && has("\"A\"");
-    let is_object = first.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
-    if is_object || first.starts_with('[') && is_jsbsim {
-        return Found::Form(if is_jsbsim { Form::JsbsimJson } else { Form::Json });
     }
     if first.starts_with('[') && has("{") && has("\"A\"") {
         return Found::Other("this is a list of several models; open one of them, an object with \"A\"");

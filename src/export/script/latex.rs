@@ -1,7 +1,7 @@
 //! Matrices and modes for a report, as LaTeX with amsmath and booktabs.
 
 use super::study::Study;
-use super::text::number;
+use super::text::{number, settings};
 use crate::content::LengthUnit;
 use crate::export::mode::ModeReport;
 use crate::export::plane::PlaneReport;
@@ -24,6 +24,7 @@ pub fn latex(study: &Study, length: LengthUnit) -> String {
     text += &format!(
         "\\delta = \\begin{{bmatrix}} {inputs} \\end{{bmatrix}}^{{\\mathsf T}}\n\\end{{equation*}}\n"
     );
+    text += &settings(&study.trim, length, "%");
     text += &format!("\\begin{{equation*}}\nA = {}\n\\end{{equation*}}\n", matrix(&a));
     text += &format!("\\begin{{equation*}}\nB = {}\n\\end{{equation*}}\n", matrix(&b));
     let has_speeds = report.states.iter().any(|key| is_speed(key));

@@ -2,6 +2,7 @@
 
 use super::study::{Course, Driven, Entering, FrequencyStudy, MotionStudy, Study, WholeStudy};
 use super::text::{joined, number, settings};
+use crate::content::LengthUnit;
 use crate::export::plane::WholeReport;
 use crate::flight::motion::inputs::Input;
 
@@ -44,7 +45,7 @@ fn cell(words: &[&str]) -> String {
 fn model(study: &Study) -> String {
     let report = &study.report;
     let mut text = String::from("%% The model: x' = A x + B u\n");
-    text += &settings(&study.settings, "%");
+    text += &settings(&study.trim, LengthUnit::Metre, "%");
     text += &format!("A = {};\nB = {};\n", matrix(&report.a), matrix(&report.b));
     text += &format!("states = {};\ninputs = {};\n", cell(&report.states), cell(&report.inputs));
     text + "aircraft = ss(A, B, eye(4), zeros(4, 2), 'StateName', states, 'InputName', inputs, 'OutputName', states)\n\n"

@@ -2,6 +2,7 @@
 
 use super::study::{Course, Driven, Entering, FrequencyStudy, MotionStudy, Study, WholeStudy};
 use super::text::{list, matrix, number, quoted, row, settings};
+use crate::content::LengthUnit;
 use crate::export::plane::WholeReport;
 use crate::flight::motion::inputs::Input;
 
@@ -59,7 +60,7 @@ fn model(study: &Study) -> String {
         "import control as ct\nimport matplotlib.pyplot as plt\nimport numpy as np\n\
          from scipy.integrate import solve_ivp\nfrom scipy.linalg import expm\n\n",
     );
-    text += &settings(&study.settings, "#");
+    text += &settings(&study.trim, LengthUnit::Metre, "#");
     text += &format!("A = np.array({}, dtype=float)\n", matrix(&report.a));
     text += &format!("B = np.array({}, dtype=float)\n", matrix(&report.b));
     text += &format!("states = {}\ninputs = {}\n", quoted(&report.states), quoted(&report.inputs));

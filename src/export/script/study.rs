@@ -3,7 +3,6 @@
 //! The motion is that of six states, the four of the plane and the two of its path, under inputs that enter by a column and, air that
 //! moves, by a column of their rate of change: ẋ = A x + B δ + Ḃ δ̇, y = C x + D δ + Ḋ δ̇. All in SI and radians.
 
-use super::text::number;
 use crate::content::LengthUnit;
 use crate::export::plane::{PlaneReport, WholeReport};
 use crate::export::scene::Scene;
@@ -37,8 +36,8 @@ pub struct Study {
     pub remarks: Vec<String>,
     /// The plane in words.
     pub plane: &'static str,
-    /// What else the importer of matrices must know to read A and B again, by its key.
-    pub settings: Vec<(&'static str, String)>,
+    /// The steady flight.
+    pub trim: Trim,
     /// Matrices, modes, eigenvalues.
     pub report: PlaneReport,
     /// The plane with all states of its source and under its law of feedback, where there is one or the other.
@@ -195,22 +194,13 @@ impl Study {
             title: format!("{}: {}", scenario.aircraft.name, scenario.aircraft.condition),
             remarks: remarks(scene, scenario),
             plane: words::view::plane(scenario.plane),
-            settings: settings(&analysis.model.trim),
+            trim: analysis.model.trim,
             whole: WholeStudy::of(findings, &report, &scale),
             report,
             motion: (!is_over_frequency).then(|| MotionStudy::of(scene, findings)).flatten(),
             frequency: is_over_frequency.then(|| FrequencyStudy::of(scene, findings, analysis)).flatten(),
         })
     }
-}
-
-fn settings(trim: &Trim) -> Vec<(&'static str, String)> {
-    let angles = [("alpha0_deg", trim.alpha0), ("gamma0_deg", trim.gamma0)];
-    let angles = angles.into_iter().filter(|(_, angle)| *angle != 0.0);
-    [("units", "SI".to_owned()), ("speed", number(trim.speed))]
-        .into_iter()
-        .chain(angles.map(|(key, angle)| (key, number(angle.to_degrees()))))
-        .collect()
 }
 
 /// Where the numbers are from, and where the scene is.

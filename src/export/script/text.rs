@@ -1,5 +1,7 @@
 //! Numbers and lists as scripts of most languages write them: the shortest that reads back to the last bit.
 
+use crate::content::{LengthUnit, UnitSystem};
+use crate::flight::aircraft::plane::Trim;
 use crate::number::shortest;
 
 /// A number; zero without a sign.
@@ -34,7 +36,12 @@ pub fn quoted(words: &[&str]) -> String {
     format!("[{}]", words.join(", "))
 }
 
-/// Settings as comments behind a mark, a line each: the importer of matrices reads them.
-pub fn settings(settings: &[(&str, String)], mark: &str) -> String {
-    settings.iter().map(|(key, value)| format!("{mark} {key}: {value}\n")).collect()
+/// What the importer of matrices must know to read A and B again, as comments behind a mark, a line each; in this unit of length.
+pub fn settings(trim: &Trim, length: LengthUnit, mark: &str) -> String {
+    let units = UnitSystem::NAMES.into_iter().find(|(_, system)| system.length() == length.metres());
+    let units = units.map(|(name, _)| format!("{mark} units: {name}\n")).unwrap_or_default();
+    let angles = [("alpha0_deg", trim.alpha0), ("gamma0_deg", trim.gamma0)];
+    let angles = angles.into_iter().filter(|(_, angle)| *angle != 0.0);
+    let angles = angles.map(|(key, angle)| format!("{mark} {key}: {}\n", number(angle.to_degrees())));
+    format!("{units}{mark} speed: {}\n{}", number(trim.speed / length.metres()), angles.collect::<String>())
 }
