@@ -27,7 +27,7 @@ fn law() -> Law {
 fn the_best_gain_with_a_washout_and_without_is_that_of_the_textbook_case() {
     let model = franklin();
     for (washout, gain, damping, spiral) in [(0.0, 2.65, 0.479, -0.331), (3.0, 2.32, 0.273, -0.004)] {
-        let (found, reached) = best_gain(&model, &law(), 1, washout, 5.0).expect("roots");
+        let (found, reached) = best_gain(&model, &law(), 1, washout, [0.0, 5.0]).expect("roots");
         assert!((found - gain).abs() < 0.01, "{washout} s: k = {found}");
         assert!((reached - damping).abs() < 5e-4, "{washout} s: ζ = {reached}");
         let best = law_with(&law(), &model, 1, found, washout);
@@ -42,7 +42,7 @@ fn the_best_gain_with_a_washout_and_without_is_that_of_the_textbook_case() {
 fn where_every_gain_takes_damping_away_the_best_is_none() {
     let model = franklin();
     // Against its sense the damper drives the Dutch roll.
-    let (gain, damping) = best_gain(&model, &law(), 1, 3.0, -5.0).expect("roots");
+    let (gain, damping) = best_gain(&model, &law(), 1, 3.0, [-5.0, 0.0]).expect("roots");
     assert_eq!((gain, Some(damping)), (0.0, least_damping(&model, &law())));
 }
 

@@ -10,6 +10,7 @@ use eigenwing::flight::aircraft::plane::Plane;
 use eigenwing::flight::modes::mode::Mode;
 use eigenwing::flight::modes::stability::Stability;
 use eigenwing::flight::verdicts::handling_qualities::{Level, Verdict};
+use eigenwing::flight::verdicts::mil_f_8785c::Criterion;
 use eigenwing::scenario::{Page, Parameter, Scenario, parameters};
 
 fn with(key: &str, values: &[(&str, f64)]) -> Scenario {
@@ -29,19 +30,30 @@ fn read(scenario: &Scenario, key: &str) -> Result<Reading, Absence> {
     Measure::find(key).expect("a measure").read(&Findings::of(scenario.clone()))
 }
 
-/// The worst level of a plane under the law, by its verdicts; `None` where something grows that none of them judges.
+/// The worst level of a plane under the law, by its verdicts; `None` where something grows, or oscillates and is mostly of the aircraft,
+/// that none of them judges, or where nothing is judged as the mode that every aircraft has.
 fn worst(scenario: &Scenario, plane: Plane) -> Option<Level> {
     let findings = Findings::of(scenario.clone());
     let open = findings.analysis().as_ref().ok()?.planes[plane].as_ref()?.as_ref().ok()?;
-    let levels = match findings.closed_loop_of(plane) {
-        Some(closed) => &closed.as_ref().expect("it can be analysed").levels,
-        None => &open.levels,
-    };
+    let closed = findings.closed_loop_of(plane).map(|closed| closed.as_ref().expect("it can be analysed"));
+    let levels = closed.map_or(&open.levels, |closed| &closed.levels);
     let judged: Vec<&Verdict> = levels.iter().filter(|verdict| verdict.level.is_some()).collect();
     let is_judged = |mode: &Mode| judged.iter().any(|verdict| verdict.modes.contains(&mode.naming.name));
     let modes = findings.modes_in_flight(open);
     let strays = modes.into_iter().any(|mode| mode.stability == Stability::Unstable && !is_judged(mode));
-    judged.iter().filter_map(|verdict| verdict.level).max().filter(|_| !strays)
+    let swings = closed.is_some_and(|closed| {
+        closed.modes.iter().any(|mode| {
+            let of_aircraft: f64 = mode.participation[..4].iter().sum();
+            mode.mode.is_oscillatory() && of_aircraft >= 0.5 && !is_judged(&mode.mode)
+        })
+    });
+    let always: &[Criterion] = match plane {
+        Plane::Longitudinal => &[Criterion::ShortPeriodDamping, Criterion::PitchDivergence],
+        Plane::Lateral => &[Criterion::RollMode, Criterion::CoupledRollSpiral],
+    };
+    let is_whole = judged.iter().any(|verdict| always.contains(&verdict.criterion));
+    let worst = judged.iter().filter_map(|verdict| verdict.level).max()?;
+    (worst == Level::Beyond || (!strays && !swings && is_whole)).then_some(worst)
 }
 
 #[test]

@@ -54,7 +54,7 @@ pub(super) fn choose_shape(
     Ok(choice.shape())
 }
 
-/// Sets the mode that is flown alone, if one is.
+/// Sets the mode that is flown alone, if one is: of those of the aircraft as it flies, under a law of feedback where there is one.
 pub(super) fn choose_mode(
     scenario: &mut Scenario,
     name: Option<&str>,
@@ -72,7 +72,7 @@ pub(super) fn choose_mode(
     if findings.plane().is_none() {
         return Err(no_motion(&findings));
     }
-    let modes: Vec<ModeName> = findings.modes().iter().map(|mode| mode.naming.name).collect();
+    let modes: Vec<ModeName> = findings.flown_modes().iter().map(|mode| mode.naming.name).collect();
     let choice = &mut scenario.disturbance.choices[scenario.plane];
     if let Some(name) = name {
         let wanted = ModeName::by_key(name);
@@ -85,7 +85,20 @@ pub(super) fn choose_mode(
             ExportError::Request(format!("there is no mode \"{name}\" here; expected \"{keys}\""))
         })?;
     }
-    Ok(modes.get(choice.mode).copied())
+    Ok(modes.get(choice.mode).or(modes.last()).copied())
+}
+
+/// The same scenario for the aircraft without its law and without further states, which flies its own mode by that name; at rest where it
+/// has none. Whether it has one.
+pub(super) fn flown_alone(mut scenario: Scenario, mode: ModeName) -> (Scenario, bool) {
+    let findings = Findings::of(scenario.clone());
+    let place = findings.modes().iter().position(|own| own.naming.name == mode);
+    let disturbance = &mut scenario.disturbance;
+    match place {
+        Some(place) => disturbance.choices[scenario.plane].mode = place,
+        None => disturbance.sizes.mode = 0.0,
+    }
+    (scenario, place.is_some())
 }
 
 /// Refuses a size that is set although the disturbance doesn't have it: it would be ignored.

@@ -37,7 +37,7 @@ pub struct FlightReport {
     pub outputs: Vec<Signal>,
     /// Controls of the plane away from the steady flight, with what a law of feedback moves, at these times.
     pub controls: Vec<Signal>,
-    /// Where limits of the controls hold a law back; none without a law.
+    /// Where limits of the controls hold a law back, or the pilot under one; none without a law.
     pub limits: Vec<LimitReport>,
     /// The same in sentences, one a limit.
     pub limit_sentences: Vec<String>,

@@ -78,7 +78,7 @@ impl LevelReport {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "OverallLevel"))]
 pub struct OverallLevelReport {
-    /// The level in words; null where something grows that no paragraph judges.
+    /// The level in words; null where flight has something in it that no paragraph judges.
     pub level: Option<&'static str>,
     /// Key of the level.
     #[cfg_attr(test, ts(type = "LevelKey | null"))]
@@ -92,7 +92,7 @@ pub struct OverallLevelReport {
     /// Category of flight phase that it is judged for.
     #[cfg_attr(test, ts(type = "FlightPhase"))]
     pub category: &'static str,
-    /// Keys of the modes that grow and that no paragraph judges.
+    /// Keys of the modes that no paragraph judges: those that grow, and oscillations of the aircraft.
     #[cfg_attr(test, ts(type = "Array<ModeKey>"))]
     pub unjudged: Vec<&'static str>,
     /// The level and what sets it, in one sentence.

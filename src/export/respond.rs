@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::aircraft::AircraftReport;
 use super::closed_loop::LoopMotion;
 use super::disturbance::{
-    check_command, check_sizes, choose_disturbance, choose_mode, choose_shape, no_motion,
+    check_command, check_sizes, choose_disturbance, choose_mode, choose_shape, flown_alone, no_motion,
 };
 use super::error::ExportError;
 use super::flown::FlightOutcome;
@@ -37,7 +37,7 @@ pub struct ResponseRequest {
     /// Its shape in time, of those it can have; by default that of the page.
     #[cfg_attr(test, ts(optional, type = "Shape"))]
     pub shape: Option<String>,
-    /// Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name and its number are read, too.
+    /// Key of the mode that is flown alone, with the disturbance `mode`: under a law one of those; by default the first. Its name and its number are read, too.
     pub mode: Option<String>,
     /// Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s.
     pub steps: Option<usize>,
@@ -56,7 +56,7 @@ pub struct ResponseReport {
     /// Values set on it, SI.
     #[cfg_attr(test, ts(type = "Record<string, number>"))]
     pub set: BTreeMap<String, f64>,
-    /// What of the link can't be used, in sentences; none without a link.
+    /// What of the link can't be used, and a mode that is flown alone where the aircraft without its law hasn't it, in sentences.
     pub notices: Vec<String>,
     /// `longitudinal` or `lateral`.
     #[cfg_attr(test, ts(type = "PlaneName"))]
@@ -115,9 +115,23 @@ pub fn respond(scene: &Scene, request: &ResponseRequest) -> Result<ResponseRepor
         let problem = format!("steps: expected 1 to {MOST_STEPS}, found {steps}");
         return Err(ExportError::Request(problem));
     }
-    let findings = Findings::of(scenario);
-    let (Some(motion), Some(metrics)) = (findings.motion_in(steps), findings.metrics()) else {
-        return Err(no_motion(&findings));
+    let findings = Findings::of(scenario.clone());
+    let mut notices = scene.notices.clone();
+    // A mode is counted among those under the law; the aircraft alone has its own.
+    let without_law;
+    let alone = match mode.filter(|_| findings.closed_loop().is_some()) {
+        Some(mode) => {
+            let (scenario, has_it) = flown_alone(scenario, mode);
+            if !has_it {
+                notices.push(words::feedback::not_alone(mode));
+            }
+            without_law = Findings::of(scenario);
+            &without_law
+        }
+        None => &findings,
+    };
+    let (Some(motion), Some(metrics)) = (alone.motion_in(steps), alone.metrics()) else {
+        return Err(no_motion(alone));
     };
     let experiment = &motion.experiment;
 
@@ -131,7 +145,7 @@ pub fn respond(scene: &Scene, request: &ResponseRequest) -> Result<ResponseRepor
     });
     let outputs = Output::of(plane).iter().map(|&output| Signal::of(output, motion.values(output)));
     let is_split = request.split.unwrap_or(scene.view.response.split);
-    let split = is_split.then(|| SplitOutcome::of(&motion, findings.modes()));
+    let split = is_split.then(|| SplitOutcome::of(&motion, alone.modes()));
     let length = findings.scenario().units.length_of_reports();
     let is_flown = request.nonlinear.unwrap_or(scene.view.response.nonlinear);
     let nonlinear = is_flown.then(|| findings.flight_in(steps)).flatten();
@@ -139,7 +153,7 @@ pub fn respond(scene: &Scene, request: &ResponseRequest) -> Result<ResponseRepor
     Ok(ResponseReport {
         aircraft: AircraftReport::of(&findings.scenario().aircraft),
         set: set_on(findings.scenario()),
-        notices: scene.notices.clone(),
+        notices,
         plane: plane.key(),
         disturbance: source.key(),
         shape: shape.map(Keyed::key),

@@ -18,9 +18,10 @@ use crate::flight::aircraft::aircraft_model::ModelError;
 use crate::flight::aircraft::axes::StabilityAxes;
 use crate::flight::aircraft::plane::{Plane, PlaneModel};
 use crate::flight::feedback::closed_model::ClosedModel;
+use crate::flight::feedback::loop_analysis::worst_stability;
 use crate::flight::feedback::{Law, analyse_loop};
 use crate::flight::modes::mode::{Mode, modes};
-use crate::flight::modes::stability::{Stability, dynamic_stability};
+use crate::flight::modes::stability::Stability;
 use crate::flight::verdicts::static_stability::plane_static_stability;
 use crate::key::Keyed;
 use crate::scenario::{Parameter, Scenario};
@@ -425,12 +426,9 @@ fn sweep_plane(model: &PlaneModel, scenario: &Scenario) -> Result<SweepPlane, St
     let modes = flown_modes(model, &scenario.law)?;
     let derivatives = scenario.edited.derivatives_behind(model.plane);
     let of_static = plane_static_stability(&StabilityAxes::of(model), derivatives.as_ref());
-    let fastest = modes.iter().map(|mode| mode.lambda.norm()).fold(0.0, f64::max);
-    let worst = modes.iter().map(|mode| mode.lambda.re).fold(f64::NEG_INFINITY, f64::max);
-    let of_dynamic: Stability = dynamic_stability(worst, fastest);
     Ok(SweepPlane {
         static_stability: of_static.verdict.key(),
-        dynamic_stability: of_dynamic.key(),
+        dynamic_stability: worst_stability(modes.iter()).key(),
         determinant: of_static.determinant,
         modes: modes.iter().map(sweep_mode).collect(),
     })

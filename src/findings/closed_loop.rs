@@ -157,9 +157,9 @@ impl Findings {
         least_damping(&self.plane()?.model, &self.scenario.law)
     }
 
-    /// The gain of the rate to an input between zero and `reach` that damps best with the washout of the law, and that damping ratio.
-    pub fn best_gain(&self, input: usize, reach: f64) -> Option<(f64, f64)> {
+    /// Of a range of gains of the rate to an input the one that damps best with the washout of the law, and that damping ratio.
+    pub fn best_gain(&self, input: usize, range: [f64; 2]) -> Option<(f64, f64)> {
         let law = &self.scenario.law;
-        best_gain(&self.plane()?.model, law, input, law.planes[self.scenario.plane].washout, reach)
+        best_gain(&self.plane()?.model, law, input, law.planes[self.scenario.plane].washout, range)
     }
 }

@@ -35,8 +35,8 @@ pub enum NoLeastGain {
     NotJudged,
     /// None of the slider does.
     Nowhere {
-        /// The best level that any does, and the gain nearest to zero with it; `None` where something grows with all of them that
-        /// no requirement judges.
+        /// The best level that any does, and the gain nearest to zero with it; `None` where with all of them
+        /// flight has something in it that no requirement judges.
         best: Option<(Level, f64)>,
     },
 }

@@ -120,10 +120,10 @@ impl Dimension {
     pub fn read(self, text: &str) -> Option<f64> {
         let text = text.trim().replace('−', "-");
         let shown = self.symbol(LengthUnit::Metre);
-        // "% of weight" is written as "%".
-        let short = shown.split_once(' ').map_or(shown, |(symbol, _)| symbol);
+        // "% of weight" is written as "%", but a gain always with what it is per.
+        let short = shown.replacen(" of weight", "", 1);
         let in_shown = self.in_si(LengthUnit::Metre);
-        let units = [("", 1.0), ("si", 1.0), (self.si_symbol(), 1.0), (shown, in_shown), (short, in_shown)];
+        let units = [("", 1.0), ("si", 1.0), (self.si_symbol(), 1.0), (shown, in_shown), (&short, in_shown)];
         let in_unit = |(symbol, in_si): (&str, f64)| {
             let number: f64 = text.strip_suffix(symbol)?.trim_end().parse().ok()?;
             Some(number * in_si)

@@ -5,7 +5,9 @@ use crate::findings::{LeastGain, NoLeastGain};
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::feedback::LoopError;
 use crate::flight::feedback::appended::AppendedState;
+use crate::flight::modes::mode_name::ModeName;
 use crate::flight::verdicts::handling_qualities::Level;
+use crate::words::mode;
 
 /// Above the verdicts, where a law flies.
 pub const UNDER_LAW: &str =
@@ -59,7 +61,7 @@ pub fn least_gain(found: &Result<LeastGain, NoLeastGain>, shown: impl Fn(f64) ->
             format!("no gain of this slider reaches Level 1; the best is {level}, at {}", shown(*gain))
         }
         Err(NoLeastGain::Nowhere { best: None }) => {
-            "no gain of this slider reaches Level 1: with all of them something grows".to_owned()
+            "no gain of this slider reaches Level 1: with none of them can a level be told".to_owned()
         }
         Err(NoLeastGain::NotAGain | NoLeastGain::NotJudged) => NOT_JUDGED.to_owned(),
     }
@@ -83,6 +85,14 @@ pub const fn legend(is_opened: bool, is_fed_back: bool) -> [&'static str; 2] {
         (false, true) => ["under the law", "without it"],
         (false, false) => ["with all states", "the four alone"],
     }
+}
+
+/// Of a mode that is flown alone under the law.
+pub fn not_alone(mode: ModeName) -> String {
+    let name = mode::in_a_sentence(mode);
+    format!(
+        "The aircraft alone has no {name}: its own motion is at rest, and the {name} is flown under the law."
+    )
 }
 
 /// Of a fast actuator, whose pole would leave no room for the others.

@@ -28,7 +28,12 @@ pub fn gain_margin(margins: &LoopMargins, is_stable: bool) -> String {
 /// How far the phase of the loop may be changed, or has to be where it isn't stable.
 pub fn phase_margin(margin: Option<PhaseMargin>, is_stable: bool) -> String {
     let Some(PhaseMargin { angle, frequency }) = margin else {
-        return "Phase margin: without bound, |L| crosses 1 nowhere".to_owned();
+        let told = if is_stable {
+            "Phase margin: without bound, |L| crosses 1 nowhere"
+        } else {
+            "No phase makes it stable, |L| crosses 1 nowhere"
+        };
+        return told.to_owned();
     };
     let degrees = significant(angle.abs().to_degrees(), 3);
     let side = if angle < 0.0 { " of lead" } else { "" };
@@ -55,7 +60,14 @@ pub fn sensitivity(peak: Option<SensitivityPeak>) -> String {
 
 /// Nyquist's count: clockwise turns around −1, growing roots of the loop cut, and what the closed loop is.
 pub fn nyquist(turns: Option<i32>, growing: usize, closed: Stability) -> String {
-    let Some(turns) = turns else { return "L goes through −1: the closed loop is neutral".to_owned() };
+    let Some(turns) = turns else {
+        let told = match closed {
+            Stability::Stable => "The turns about −1 can’t be counted; the closed loop is stable",
+            Stability::Neutral => "L goes through −1: the closed loop is neutral",
+            Stability::Unstable => "The turns about −1 can’t be counted; the closed loop is unstable",
+        };
+        return told.to_owned();
+    };
     let count = turns.unsigned_abs();
     let plural = if count == 1 { "" } else { "s" };
     let sense = match turns {
@@ -73,9 +85,13 @@ pub fn nyquist(turns: Option<i32>, growing: usize, closed: Stability) -> String 
     format!("{count} turn{plural}{sense} about −1, {growing} unstable {poles} of the loop cut: {verdict}")
 }
 
-/// The damping here, and the best with the same washout: both as (gain, damping ratio).
+/// The damping here, and the best with the same washout: both as (gain, damping ratio), 1 where nothing oscillates.
 pub fn map(here: (f64, f64), washout: f64, best: (f64, f64)) -> String {
-    let of = |(gain, damping)| format!("ζ = {} at k = {}", significant(damping, 3), significant(gain, 3));
+    let of = |(gain, damping): (f64, f64)| {
+        let damping =
+            if damping < 1.0 { format!("ζ = {}", significant(damping, 3)) } else { "none".to_owned() };
+        format!("{damping} at k = {}", significant(gain, 3))
+    };
     let with = if washout > 0.0 {
         format!("with a washout of {} s", significant(washout, 3))
     } else {

@@ -149,9 +149,7 @@ pub fn boundary(boundary: &Boundary) -> String {
 pub fn sentence(verdict: &Verdict) -> String {
     let source = format!("({}; {})", citation(verdict.criterion, verdict.task.category), task(verdict.task));
     let Some(level) = level_or_boundary(verdict) else {
-        return format!(
-            "Nothing to judge: its two real roots die away, so that no oscillation is left for this requirement {source}."
-        );
+        return format!("{} {source}.", without_level(verdict));
     };
     match (comparison(verdict), verdict.remark.and_then(remark)) {
         (Some(comparison), Some(remark)) => format!("{level}: {comparison} {source}. {remark}"),
@@ -161,13 +159,34 @@ pub fn sentence(verdict: &Verdict) -> String {
     }
 }
 
+/// Why a verdict has no level.
+const fn without_level(verdict: &Verdict) -> &'static str {
+    match verdict.remark {
+        Some(Remark::NoRequirement) => "No level: it is an oscillation that this requirement isn’t on",
+        Some(Remark::NoModeLeft) => "No level: no mode is left that this requirement is on",
+        _ => {
+            "Nothing to judge: its two real roots die away, so that no oscillation is left for this requirement"
+        }
+    }
+}
+
 /// The overall level with the criterion that sets it, and what no paragraph judges.
 pub fn overall(overall: &OverallLevel<'_>) -> String {
-    let OverallLevel { level: worst, governing, unjudged } = overall;
-    match worst {
-        None => format!("No level overall: {}", not_judged(unjudged)),
-        Some(Level::One) => format!("{} overall, every criterion is met", level(Level::One)),
-        Some(worst) => {
+    let OverallLevel { level: worst, governing, unjudged, left_open } = overall;
+    match (worst, left_open) {
+        (None, Some(verdict)) => match verdict.modes.first() {
+            Some(name) => format!(
+                "No level overall: {} is not judged, for the {}",
+                criterion_in_a_sentence(verdict.criterion),
+                mode::in_a_sentence(*name)
+            ),
+            None => {
+                format!("No level overall: {} can’t be judged", criterion_in_a_sentence(verdict.criterion))
+            }
+        },
+        (None, None) => format!("No level overall: {}", not_judged(unjudged)),
+        (Some(Level::One), _) => format!("{} overall, every criterion is met", level(Level::One)),
+        (Some(worst), _) => {
             format!("{} overall, set by {}", level(*worst), criterion_in_a_sentence(governing.criterion))
         }
     }
@@ -220,7 +239,10 @@ const fn remark(remark: Remark) -> Option<&'static str> {
         Remark::Diverges => "It diverges.",
         Remark::RollGrows => "The roll rate doesn’t die away.",
         Remark::NotAllowed => "No coupled oscillation of roll and spiral is allowed in this category.",
-        Remark::NoOscillation => return None,
+        Remark::StandsFor => {
+            "Judged is an oscillation in which several roots have met, by what carries most of it."
+        }
+        Remark::NoOscillation | Remark::NoRequirement | Remark::NoModeLeft => return None,
     })
 }
 

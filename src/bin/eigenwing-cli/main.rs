@@ -118,6 +118,7 @@ fn answer(command: &Command) -> Result<Vec<u8>, InputError> {
             let mut scene = subject.read()?;
             let units = units.of(&mut scene);
             let report = export::respond(&scene, &request).map_err(|error| units.told(error))?;
+            report.notices.iter().skip(scene.notices.len()).for_each(|notice| eprintln!("note: {notice}"));
             match output.format() {
                 Format::Table => response_table::response(&report, units),
                 Format::Json => json(&report),

@@ -191,7 +191,7 @@ export type Flight = {
   outputs: Array<Signal>,
   /** Controls of the plane away from the steady flight, with what a law of feedback moves, at these times. */
   controls: Array<Signal>,
-  /** Where limits of the controls hold a law back; none without a law. */
+  /** Where limits of the controls hold a law back, or the pilot under one; none without a law. */
   limits: Array<AtLimit>,
   /** The same in sentences, one a limit. */
   limit_sentences: Array<string>,
@@ -589,7 +589,7 @@ export type Motion = {
   aircraft: Aircraft,
   /** Values set on it, SI. */
   set: Record<string, number>,
-  /** What of the link can't be used, in sentences; none without a link. */
+  /** What of the link can't be used, and a mode that is flown alone where the aircraft without its law hasn't it, in sentences. */
   notices: Array<string>,
   /** `longitudinal` or `lateral`. */
   plane: PlaneName,
@@ -648,7 +648,7 @@ export type OutputFigures = {
 
 /** The level of an aircraft as a whole. */
 export type OverallLevel = {
-  /** The level in words; null where something grows that no paragraph judges. */
+  /** The level in words; null where flight has something in it that no paragraph judges. */
   level: string | null,
   /** Key of the level. */
   level_key: LevelKey | null,
@@ -658,7 +658,7 @@ export type OverallLevel = {
   class: AircraftClass,
   /** Category of flight phase that it is judged for. */
   category: FlightPhase,
-  /** Keys of the modes that grow and that no paragraph judges. */
+  /** Keys of the modes that no paragraph judges: those that grow, and oscillations of the aircraft. */
   unjudged: Array<ModeKey>,
   /** The level and what sets it, in one sentence. */
   sentence: string,
@@ -777,7 +777,7 @@ export type ResponseRequest = {
   disturbance?: Disturbance,
   /** Its shape in time, of those it can have; by default that of the page. */
   shape?: Shape,
-  /** Key of the mode that is flown alone, with the disturbance `mode`; by default the first. Its name and its number are read, too. */
+  /** Key of the mode that is flown alone, with the disturbance `mode`: under a law one of those; by default the first. Its name and its number are read, too. */
   mode?: string,
   /** Steps between the samples, one less than their number; 600 by default, in turbulence one each 0.05 s. */
   steps?: number,

@@ -45,8 +45,12 @@ pub struct Balance {
 }
 
 impl NewTrim {
-    /// Of the motion on screen; `None` where it is another, has no end, or is no small disturbance all the way.
+    /// Of the motion on screen; `None` where it is another, has no end, or is no small disturbance all the way. Nor under a law, where a
+    /// control that is held is not the only one that moves.
     pub fn of(findings: &Findings) -> Option<Self> {
+        if findings.flies_otherwise() {
+            return None;
+        }
         let scenario = findings.scenario();
         let source = scenario.disturbance.choices[scenario.plane].source;
         let (channel, input) = scenario.disturbance.input(scenario.plane)?;

@@ -70,28 +70,32 @@ pub fn least_damping(model: &PlaneModel, law: &Law) -> Option<f64> {
     Some(oscillations.map(|root| -root.re / root.norm()).fold(1.0, f64::min))
 }
 
-/// The gain between zero and `reach` whose least damping is greatest with a washout, and that damping; `None` where there are no roots.
+/// Of the gains from `low` to `high`, zero among them, the one whose least damping is greatest with a washout, and that damping; `None`
+/// where there are no roots.
 pub fn best_gain(
     model: &PlaneModel,
     law: &Law,
     input: usize,
     washout: f64,
-    reach: f64,
+    [low, high]: [f64; 2],
 ) -> Option<(f64, f64)> {
     const RATIO: f64 = 0.618_033_988_749_894_8;
-    const LOOKED_AT: usize = 50;
+    // On either side of zero, closer together near it.
+    const LOOKED_AT: i32 = 50;
     let of = |gain: f64| least_damping(model, &law_with(law, model, input, gain, washout));
-    let step = reach / LOOKED_AT as f64;
-    let mut best = (0.0, of(0.0)?);
-    for k in 1..=LOOKED_AT {
-        let gain = k as f64 * step;
-        let damping = of(gain)?;
-        if damping > best.1 {
-            best = (gain, damping);
+    let place = |k: i32| {
+        let share = f64::from(k.clamp(-LOOKED_AT, LOOKED_AT)) / f64::from(LOOKED_AT);
+        share * share.abs() * if k < 0 { -low } else { high }
+    };
+    let (mut at, mut best) = (0, (0.0, of(0.0)?));
+    for k in -LOOKED_AT..=LOOKED_AT {
+        let found = (place(k), of(place(k))?);
+        if found.1 > best.1 {
+            (at, best) = (k, found);
         }
     }
     // Between its neighbours there is one maximum.
-    let (mut low, mut high) = ((best.0 - step).clamp(0.0_f64.min(reach), 0.0_f64.max(reach)), best.0 + step);
+    let (mut low, mut high) = (place(at - 1), place(at + 1));
     for _ in 0..40 {
         let (a, b) = (high - RATIO * (high - low), low + RATIO * (high - low));
         if of(a)? > of(b)? { high = b } else { low = a }

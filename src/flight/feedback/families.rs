@@ -3,7 +3,8 @@
 //!
 //! Under a law shapes mix. A turn fills the washout, a fast actuator lends a damper its phase, and participation alone would call
 //! the slow turn of a spiral now this and now that. What a course calls the spiral then is the root that the spiral has gone to, so that
-//! is followed here. Where two real roots meet, the pair is of both, and where they part again each takes the side on which it was.
+//! is followed here. Where two real roots meet, the pair is of both, and where they part again each takes the side on which it was; what
+//! has gone astray by that is set right by the shapes (`loop_modes`).
 
 use nalgebra::{Complex, DMatrix};
 
@@ -11,6 +12,7 @@ use crate::flight::modes::eigen::EigenError;
 use crate::flight::modes::eigen::eigenvalues;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::reason::StateSet;
 
 /// What a root is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +66,22 @@ impl Family {
             | Name::FeedbackOscillation
             | Name::FurtherState
             | Name::FurtherOscillation => [Self::Lateral; 2],
+        }
+    }
+}
+
+impl Family {
+    /// The share of its states in a mode, from the participation of all.
+    pub fn share(self, participation: &[f64]) -> f64 {
+        let Some(four) = participation.first_chunk::<4>() else { return 0.0 };
+        match self {
+            Self::ShortPeriod => StateSet::AngleOfAttackAndPitchRate.share(four),
+            Self::Phugoid => StateSet::SpeedAndPitchAngle.share(four),
+            Self::DutchRoll => StateSet::SideslipAndYawRate.share(four),
+            Self::Roll => StateSet::RollRate.share(four),
+            Self::Spiral => StateSet::BankAngle.share(four),
+            Self::Lateral => StateSet::LateralMix.share(four),
+            Self::Appended(k) => participation.get(4 + k).copied().unwrap_or(0.0),
         }
     }
 }

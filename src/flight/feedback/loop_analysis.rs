@@ -49,22 +49,25 @@ pub enum LoopError {
 pub fn analyse_loop(model: &PlaneModel, law: &Law, task: Option<Task>) -> Result<LoopAnalysis, LoopError> {
     let closed = ClosedModel::new(model, law)?;
     let modes = loop_modes(&closed)?;
-    let of_aircraft: Vec<Mode> = modes.iter().map(|mode| mode.mode.clone()).collect();
+    let of_flight = || -> Vec<Mode> {
+        modes.iter().filter(|mode| mode.is_of_flight()).map(|mode| mode.mode.clone()).collect()
+    };
     Ok(LoopAnalysis {
-        dynamic_stability: verdict(&modes),
-        levels: task.map_or_else(Vec::new, |task| handling_qualities(model, &of_aircraft, task)),
+        dynamic_stability: worst_stability(modes.iter().map(|mode| &mode.mode)),
+        levels: task.map_or_else(Vec::new, |task| handling_qualities(model, &of_flight(), task)),
         closed,
         modes,
     })
 }
 
-fn verdict(modes: &[LoopMode]) -> Stability {
+/// The verdict on all modes of a plane: that of the worst. A height, heading or position that stays where it is counts for nothing.
+pub fn worst_stability<'a>(modes: impl Iterator<Item = &'a Mode>) -> Stability {
     use ModeName::{Heading, Height, Position};
-    let counts = |mode: &&LoopMode| {
-        let is_of_path = matches!(mode.mode.naming.name, Height | Heading | Position);
-        !(is_of_path && mode.mode.stability == Stability::Neutral)
+    let counts = |mode: &&Mode| {
+        let is_of_path = matches!(mode.naming.name, Height | Heading | Position);
+        !(is_of_path && mode.stability == Stability::Neutral)
     };
-    modes.iter().filter(counts).map(|mode| mode.mode.stability).max().unwrap_or_default()
+    modes.filter(counts).map(|mode| mode.stability).max().unwrap_or_default()
 }
 
 impl LoopAnalysis {

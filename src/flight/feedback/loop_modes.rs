@@ -5,10 +5,12 @@ use nalgebra::{Complex, DMatrix, DVector, Dyn, Vector4};
 use super::closed_model::ClosedModel;
 use super::families::{Family, Root, followed};
 use super::loop_naming::{Unnamed, name_modes};
+use crate::flight::aircraft::further::AppendedState;
 use crate::flight::aircraft::plane::Plane;
 use crate::flight::modes::eigen::{Eigen, EigenError, eigen};
 use crate::flight::modes::mode::{Mode, condition, modes};
-use crate::flight::modes::mode_name::{Amplitudes, UnnamedMode};
+use crate::flight::modes::mode_name::{Amplitudes, ModeName, UnnamedMode};
+use crate::flight::modes::reason::Fact;
 use crate::flight::modes::stability::{Stability, dynamic_stability};
 
 /// A mode of a model with states beside the four.
@@ -30,6 +32,18 @@ impl LoopMode {
     pub fn aircraft_share(&self) -> f64 {
         self.participation.iter().take(4).sum()
     }
+
+    /// Whether a pilot feels it as a motion of the aircraft, so that it has to be judged: all but an oscillation that dies away and is
+    /// mostly of states beside the four, with no root of the aircraft in it.
+    pub fn is_of_flight(&self) -> bool {
+        let Mode { naming, stability, .. } = &self.mode;
+        let is_named = !matches!(naming.name, ModeName::FeedbackOscillation | ModeName::FurtherOscillation);
+        let met = [Fact::MeetsFeedback, Fact::MeetsFurther];
+        is_named
+            || *stability == Stability::Unstable
+            || self.aircraft_share() >= 0.5
+            || naming.reason.facts.iter().any(|fact| met.contains(fact))
+    }
 }
 
 /// The named modes of a model under a law, each conjugate pair once, in the order of
@@ -39,7 +53,7 @@ pub fn loop_modes(closed: &ClosedModel) -> Result<Vec<LoopMode>, EigenError> {
     let eigen = eigen(a)?;
     let apart = closed.apart();
     let roots = followed(&modes(model)?, &apart, &(a - &apart))?;
-    let families = families_of(&eigen, roots, &apart);
+    let families = families_of(closed, &eigen, roots, &apart);
     let spectral_radius = eigen.values.iter().map(|l| l.norm()).fold(0.0, f64::max);
     let still = |i: usize| is_still(closed, &families, &eigen.values, i);
     let kept: Vec<usize> =
@@ -111,32 +125,52 @@ fn is_still(closed: &ClosedModel, families: &[Family], values: &DVector<Complex<
 }
 
 /// The family of each eigenvalue, from the roots that were followed to it.
-fn families_of(eigen: &Eigen<Dyn>, mut roots: Vec<Root>, apart: &DMatrix<f64>) -> Vec<Family> {
+fn families_of(
+    closed: &ClosedModel,
+    eigen: &Eigen<Dyn>,
+    mut roots: Vec<Root>,
+    apart: &DMatrix<f64>,
+) -> Vec<Family> {
     let nearest = |value: &Complex<f64>| {
         let distance = |root: &Root| (root.0 - value).norm();
         let k = (0..roots.len()).min_by(|&i, &j| distance(&roots[i]).total_cmp(&distance(&roots[j])));
         k.map_or(Family::Lateral, |k| roots.swap_remove(k).1)
     };
     let mut families: Vec<Family> = eigen.values.iter().map(nearest).collect();
-    // Actuators of one lag, or integrals, begin at one root: which is whose is told by their states.
+    let washout = closed.appended.iter().position(|state| *state == AppendedState::YawRateWashout);
     let n = families.len();
-    for i in 0..n {
-        for j in i + 1..n {
-            let (Family::Appended(of_i), Family::Appended(of_j)) = (families[i], families[j]) else {
-                continue;
-            };
-            let is_real = eigen.values[i].im == 0.0 && eigen.values[j].im == 0.0;
-            if !is_real || apart[(4 + of_i, 4 + of_i)] != apart[(4 + of_j, 4 + of_j)] {
-                continue;
+    let participations: Vec<DVector<f64>> = (0..n).map(|i| eigen.participation(i)).collect();
+    let share = |i: usize, family: Family| {
+        let participation = participations[i].as_slice();
+        // A turn fills the washout, which is then as much of the spiral as the bank angle.
+        let filled = washout.filter(|_| family == Family::Spiral).map_or(0.0, |k| participation[4 + k]);
+        family.share(participation) + filled
+    };
+    let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect();
+    let is_truer = |families: &[Family], (i, j): (usize, usize)| {
+        let (of_i, of_j) = (families[i], families[j]);
+        let needed = match (of_i, of_j) {
+            // Actuators of one lag, or integrals, begin at one root: which is whose is told by their states alone.
+            (Family::Appended(k), Family::Appended(l)) if apart[(4 + k, 4 + k)] == apart[(4 + l, 4 + l)] => {
+                SAME
             }
-            let share = |i: usize, state: usize| eigen.participation(i)[4 + state];
-            if share(i, of_j) + share(j, of_i) > share(i, of_i) + share(j, of_j) {
-                families.swap(i, j);
-            }
-        }
+            _ => TRUER,
+        };
+        share(i, of_j) + share(j, of_i) > share(i, of_i) + share(j, of_j) + needed
+    };
+    // Each exchange makes the names truer, so that they come to an end.
+    while let Some(&(i, j)) = pairs.iter().find(|pair| is_truer(&families, **pair)) {
+        families.swap(i, j);
     }
     families
 }
+
+/// So much more of the participation must names tell when exchanged than as they were followed: roots that cross on the axis, or that
+/// the gains carry into each other's place, have gone ways that tell nothing of what they are.
+const TRUER: f64 = 0.25;
+
+/// Rounding of shares.
+const SAME: f64 = 1e-9;
 
 /// The four states' part of a vector, of unit length; zero where it has none.
 fn of_aircraft(vector: &DVector<Complex<f64>>) -> Vector4<Complex<f64>> {

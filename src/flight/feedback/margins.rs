@@ -55,7 +55,7 @@ pub struct LoopMargins {
     /// The peak of the sensitivity; `None` where it is above 1 at no frequency.
     pub sensitivity: Option<SensitivityPeak>,
     /// How often L goes around −1 clockwise while s goes up the imaginary axis and back around the right: the closed loop has so many
-    /// growing roots more than the loop cut. `None` where L goes through −1.
+    /// growing roots more than the loop cut. `None` where L goes through −1, or so near that they can't be counted.
     pub turns: Option<i32>,
 }
 

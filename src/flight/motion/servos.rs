@@ -73,7 +73,9 @@ pub(super) struct Moment<'m> {
 
 /// What is asked for at a moment.
 pub(super) struct Asked {
-    /// What the pilot does, as far as the reach goes.
+    /// What the pilot does.
+    held: [f64; 4],
+    /// The same as far as the reach goes.
     pilot: [f64; 4],
     /// How far each rate is from what its washout holds \[rad/s\].
     filled: [f64; 2],
@@ -100,7 +102,7 @@ impl Servos<'_> {
         let filled = WASHED.map(|(signal, z)| errors[signal] - moment.own[z]);
         let asked = self.asked(errors, &moment.own);
         let within = [0, 1, 2, 3].map(|i| self.within(i, asked[i], pilot[i]));
-        Asked { pilot, filled, asked, within }
+        Asked { held, pilot, filled, asked, within }
     }
 
     /// Each control, away from the trim.
@@ -145,7 +147,7 @@ impl Servos<'_> {
     pub(super) fn bites(&self, moment: &Moment<'_>, asked: &Asked) -> Bites {
         [0, 1, 2, 3].map(|i| {
             let [low, high] = self.limits[i].range;
-            let reached = asked.pilot[i] + if self.moves(i) { asked.asked[i] } else { 0.0 };
+            let reached = asked.held[i] + if self.moves(i) { asked.asked[i] } else { 0.0 };
             let slow = match moment.ways[i] {
                 Way::After(_) => true,
                 Way::There if self.is_direct(i) || !self.moves(i) => false,

@@ -1,7 +1,9 @@
 //! Handling-quality levels: what a pilot would say of each mode, after MIL-F-8785C.
 //!
 //! A verdict carries the limit that governs it and how far away that is. Where an oscillation has parted into two real roots that
-//! both die away, a requirement on it has nothing left to judge; real roots that grow are judged as divergences.
+//! both die away, a requirement on it has nothing left to judge; real roots that grow are judged as divergences. An oscillation of the
+//! aircraft with states beside the four is judged as that whose states carry most of it. What no requirement is on, and a requirement
+//! that has lost its mode to such an oscillation, are told as verdicts without a level.
 
 use super::mil_f_8785c::{
     Criterion, LEAST_TIME_TO_DOUBLE_AIRSPEED, Levels, Quantity, Requirement, coupled_roll_spiral, dutch_roll,
@@ -15,6 +17,7 @@ use crate::flight::aircraft::states::Longitudinal::{Q, W};
 use crate::flight::aircraft::states::entry;
 use crate::flight::modes::mode::Mode;
 use crate::flight::modes::mode_name::ModeName;
+use crate::flight::modes::reason::StateSet;
 use crate::flight::modes::second_order::{DUTCH_ROLL, PHUGOID, SHORT_PERIOD, SecondOrder, second_order};
 use crate::flight::modes::stability::Stability;
 use crate::key::keys;
@@ -67,7 +70,8 @@ pub struct Verdict {
     pub criterion: Criterion,
     /// Names of the modes that were judged.
     pub modes: Vec<ModeName>,
-    /// The level, by the numbers as computed; `None` where the oscillation that the requirement is on is gone.
+    /// The level, by the numbers as computed; `None` where the oscillation that the requirement is on is gone, and where there
+    /// [is no telling](Self::leaves_open).
     pub level: Option<Level>,
     /// Whether a value equals a limit to three digits, so that the last digit would decide the level.
     pub on_boundary: bool,
@@ -81,6 +85,13 @@ pub struct Verdict {
     pub remark: Option<Remark>,
     /// Class of aircraft and phase of flight whose limits these are.
     pub task: Task,
+}
+
+impl Verdict {
+    /// Whether flight has something in it that is not judged, so that the aircraft has no level.
+    pub const fn leaves_open(&self) -> bool {
+        matches!(self.remark, Some(Remark::NoRequirement | Remark::NoModeLeft))
+    }
 }
 
 /// A remark on a verdict that a limit and a value don't make.
@@ -102,6 +113,12 @@ pub enum Remark {
     RollGrows,
     /// A coupled roll–spiral oscillation in a category that allows none.
     NotAllowed,
+    /// An oscillation in which several roots have met, judged as that whose states carry most of it.
+    StandsFor,
+    /// An oscillation of the aircraft that no requirement is on.
+    NoRequirement,
+    /// No mode is left that the requirement is on.
+    NoModeLeft,
 }
 
 /// All verdicts for the plane of `model`, whose modes are `modes`, for a class of aircraft in a phase of flight.
@@ -130,41 +147,76 @@ pub fn phi_to_beta(model: &PlaneModel, mode: &Mode) -> Option<f64> {
 }
 
 fn longitudinal(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
-    let Task { class, category } = task;
     let mut verdicts = divergences(modes, task);
     if let Some(motion) = second_order(modes, SHORT_PERIOD) {
-        let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
         let remark = remark_on_roots(modes, ModeName::ShortPeriod);
-        let judged = present(modes, &SHORT_PERIOD);
-        let values = vec![(Quantity::DampingRatio, zeta)];
-        let damping = judge(Criterion::ShortPeriodDamping, task, values, &short_period_damping(category));
-        verdicts.push(Verdict { remark, modes: judged.clone(), ..damping });
-        // CAP = ωₙ²/(n/α)
-        let slope = load_factor_slope(&StabilityAxes::of(model)).filter(|slope| *slope > 0.0);
-        if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
-            let values = vec![
-                (Quantity::ControlAnticipation, cap),
-                (Quantity::NaturalFrequency, wn),
-                (Quantity::LoadFactorSlope, slope),
-            ];
-            let levels = short_period_frequency(class, category);
-            let frequency = judge(Criterion::ShortPeriodFrequency, task, values, &levels);
-            verdicts.push(Verdict { remark, modes: judged, ..frequency });
-        }
+        verdicts.extend(short_period(model, motion, (remark, &present(modes, &SHORT_PERIOD)), task));
     }
-    if let Some(mode) = find(modes, ModeName::Phugoid)
-        && let Some(motion) = second_order(modes, PHUGOID)
-    {
-        let mut values = vec![(Quantity::DampingRatio, motion.damping_ratio)];
-        values.extend(time_to_double(mode));
-        let verdict = judge(Criterion::Phugoid, task, values, &phugoid());
-        verdicts.push(Verdict { modes: vec![ModeName::Phugoid], ..verdict });
+    if let Some(mode) = find(modes, ModeName::Phugoid) {
+        verdicts.push(Verdict { remark: None, ..of_phugoid(mode, task) });
     } else if let roots = present(modes, &PHUGOID)
         && die_away(modes, &roots)
     {
-        verdicts.push(without_premise(Criterion::Phugoid, task, roots));
+        verdicts.push(without_level(Criterion::Phugoid, task, roots, Remark::NoOscillation));
+    }
+    for mode in modes {
+        let fast = StateSet::AngleOfAttackAndPitchRate.share(&mode.participation);
+        let name = [mode.naming.name];
+        match mode.naming.name {
+            ModeName::FeedbackOscillation | ModeName::FurtherOscillation if fast >= 0.5 => {
+                let motion = SecondOrder::of(-2.0 * mode.lambda.re, mode.lambda.norm_sqr());
+                let judged = |motion| short_period(model, motion, (Some(Remark::StandsFor), &name), task);
+                verdicts.extend(motion.into_iter().flat_map(judged));
+            }
+            ModeName::FeedbackOscillation | ModeName::FurtherOscillation => {
+                verdicts.push(of_phugoid(mode, task))
+            }
+            ModeName::ThirdOscillatory => {
+                let verdict =
+                    without_level(Criterion::ShortPeriodDamping, task, name.to_vec(), Remark::NoRequirement);
+                verdicts.push(verdict);
+            }
+            _ => {}
+        }
+    }
+    let criteria = [Criterion::ShortPeriodDamping, Criterion::PitchDivergence];
+    verdicts.extend(without_mode(&verdicts, &criteria, modes, task));
+    verdicts
+}
+
+/// The verdicts on a motion that is the short period, or stands for it.
+fn short_period(
+    model: &PlaneModel,
+    motion: SecondOrder,
+    (remark, judged): (Option<Remark>, &[ModeName]),
+    task: Task,
+) -> Vec<Verdict> {
+    let Task { class, category } = task;
+    let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
+    let values = vec![(Quantity::DampingRatio, zeta)];
+    let damping = judge(Criterion::ShortPeriodDamping, task, values, &short_period_damping(category));
+    let mut verdicts = vec![Verdict { remark, modes: judged.to_vec(), ..damping }];
+    // CAP = ωₙ²/(n/α)
+    let slope = load_factor_slope(&StabilityAxes::of(model)).filter(|slope| *slope > 0.0);
+    if let Some((slope, cap)) = slope.map(|slope| (slope, wn * wn / slope)).filter(|x| x.1.is_finite()) {
+        let values = vec![
+            (Quantity::ControlAnticipation, cap),
+            (Quantity::NaturalFrequency, wn),
+            (Quantity::LoadFactorSlope, slope),
+        ];
+        let levels = short_period_frequency(class, category);
+        let frequency = judge(Criterion::ShortPeriodFrequency, task, values, &levels);
+        verdicts.push(Verdict { remark, modes: judged.to_vec(), ..frequency });
     }
     verdicts
+}
+
+/// The verdict on an oscillation that stands for the phugoid.
+fn of_phugoid(mode: &Mode, task: Task) -> Verdict {
+    let damping = mode.damping_ratio().map(|zeta| (Quantity::DampingRatio, zeta));
+    let values = damping.into_iter().chain(time_to_double(mode)).collect();
+    let verdict = judge(Criterion::Phugoid, task, values, &phugoid());
+    Verdict { remark: Some(Remark::StandsFor), modes: vec![mode.naming.name], ..verdict }
 }
 
 /// Real roots that grow: of airspeed after 3.2.1.1, of pitch attitude and angle of attack after 3.2.2.2.
@@ -212,34 +264,23 @@ fn lateral(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
     let of_dutch_roll = present(modes, &DUTCH_ROLL);
     if die_away(modes, &of_dutch_roll) {
-        verdicts.push(without_premise(Criterion::DutchRoll, task, of_dutch_roll));
+        verdicts.push(without_level(Criterion::DutchRoll, task, of_dutch_roll, Remark::NoOscillation));
     } else if let Some(motion) = second_order(modes, DUTCH_ROLL) {
-        let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
         let phi_to_beta = find(modes, ModeName::DutchRoll).and_then(|mode| phi_to_beta(model, mode));
-        let phi_rule = (wn * wn * phi_to_beta.unwrap_or(0.0)).min(f64::MAX);
-        let mut values = vec![
-            (Quantity::DampingRatio, zeta),
-            (Quantity::DampingProduct, zeta * wn),
-            (Quantity::NaturalFrequency, wn),
-        ];
-        values.extend(phi_to_beta.map(|ratio| (Quantity::RollToSideslip, ratio)));
-        let levels = dutch_roll(class, category, wn, phi_rule);
         let remark = remark_on_roots(modes, ModeName::DutchRoll);
-        let verdict = judge(Criterion::DutchRoll, task, values, &levels);
-        verdicts.push(Verdict { remark, modes: of_dutch_roll, ..verdict });
+        verdicts.push(Verdict { remark, modes: of_dutch_roll, ..yawing(motion, phi_to_beta, task) });
     } else if find(modes, ModeName::DirectionalDivergence).is_some() {
         let verdict = not_allowed(Criterion::DutchRoll, task, Vec::new(), Remark::Diverges);
         verdicts.push(Verdict { modes: vec![ModeName::DirectionalDivergence], ..verdict });
     }
-    if let Some(mode) =
-        find(modes, ModeName::LateralOscillation).filter(|mode| mode.stability == Stability::Unstable)
-    {
-        // It is no Dutch roll any more, but an oscillation after a disturbance in yaw, and no level lets that grow.
-        let values = mode.damping_ratio().map(|zeta| (Quantity::DampingRatio, zeta)).into_iter().collect();
-        let verdict = not_allowed(Criterion::DutchRoll, task, values, Remark::OscillationGrows);
-        verdicts.push(Verdict { modes: vec![ModeName::LateralOscillation], ..verdict });
+    let roll = find(modes, ModeName::RollSubsidence).or(find(modes, ModeName::RollDivergence));
+    let spiral_mode = find(modes, ModeName::Spiral);
+    let is_apart =
+        roll.is_some() || spiral_mode.is_some() || find(modes, ModeName::CoupledRollSpiral).is_some();
+    for mode in modes.iter().filter(|mode| is_of_several(mode)) {
+        verdicts.push(oscillation(model, mode, is_apart, task));
     }
-    if let Some(mode) = find(modes, ModeName::RollSubsidence).or(find(modes, ModeName::RollDivergence)) {
+    if let Some(mode) = roll {
         let verdict = match mode.time_constant().filter(|tau| *tau > 0.0 && tau.is_finite()) {
             Some(tau) => {
                 let values = vec![(Quantity::TimeConstant, tau)];
@@ -249,21 +290,92 @@ fn lateral(model: &PlaneModel, modes: &[Mode], task: Task) -> Vec<Verdict> {
         };
         verdicts.push(Verdict { modes: vec![mode.naming.name], ..verdict });
     }
-    if let Some(mode) = find(modes, ModeName::Spiral) {
+    if let Some(mode) = spiral_mode {
         let values = time_to_double(mode).into_iter().collect();
         let verdict = judge(Criterion::Spiral, task, values, &spiral(category));
         verdicts.push(Verdict { modes: vec![ModeName::Spiral], ..verdict });
     }
     if let Some(mode) = find(modes, ModeName::CoupledRollSpiral) {
-        // ζωₙ = −σ
-        let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
-        let verdict = match coupled_roll_spiral(category) {
-            Some(levels) => judge(Criterion::CoupledRollSpiral, task, values, &levels),
-            None => not_allowed(Criterion::CoupledRollSpiral, task, values, Remark::NotAllowed),
-        };
-        verdicts.push(Verdict { modes: vec![ModeName::CoupledRollSpiral], ..verdict });
+        verdicts.push(rolling(mode, task));
     }
+    verdicts.extend(without_mode(
+        &verdicts,
+        &[Criterion::RollMode, Criterion::CoupledRollSpiral],
+        modes,
+        task,
+    ));
     verdicts
+}
+
+/// The verdict on a lateral oscillation that has no name of its own: roots of several modes have met in it, or states beside the four.
+fn oscillation(model: &PlaneModel, mode: &Mode, is_apart: bool, task: Task) -> Verdict {
+    let [yaw, roll, bank] = [StateSet::SideslipAndYawRate, StateSet::RollRate, StateSet::BankAngle]
+        .map(|states| states.share(&mode.participation));
+    let judged = vec![mode.naming.name];
+    let motion = SecondOrder::of(-2.0 * mode.lambda.re, mode.lambda.norm_sqr());
+    match motion {
+        // It may be no Dutch roll any more, but it is an oscillation after a disturbance in yaw, and no level lets that grow.
+        _ if mode.stability == Stability::Unstable => {
+            let values =
+                mode.damping_ratio().map(|zeta| (Quantity::DampingRatio, zeta)).into_iter().collect();
+            let verdict = not_allowed(Criterion::DutchRoll, task, values, Remark::OscillationGrows);
+            Verdict { modes: judged, ..verdict }
+        }
+        Some(motion) if yaw >= roll && yaw >= bank => {
+            let verdict = yawing(motion, phi_to_beta(model, mode), task);
+            Verdict { remark: Some(Remark::StandsFor), modes: judged, ..verdict }
+        }
+        // Neither of the two is there by itself.
+        _ if !is_apart => {
+            let verdict = rolling(mode, task);
+            Verdict { remark: verdict.remark.or(Some(Remark::StandsFor)), ..verdict }
+        }
+        _ => {
+            let criterion = if roll >= bank { Criterion::RollMode } else { Criterion::Spiral };
+            without_level(criterion, task, judged, Remark::NoRequirement)
+        }
+    }
+}
+
+/// The verdict of the requirement on oscillations in yaw.
+fn yawing(motion: SecondOrder, phi_to_beta: Option<f64>, task: Task) -> Verdict {
+    let SecondOrder { natural_frequency: wn, damping_ratio: zeta } = motion;
+    let phi_rule = (wn * wn * phi_to_beta.unwrap_or(0.0)).min(f64::MAX);
+    let mut values = vec![
+        (Quantity::DampingRatio, zeta),
+        (Quantity::DampingProduct, zeta * wn),
+        (Quantity::NaturalFrequency, wn),
+    ];
+    values.extend(phi_to_beta.map(|ratio| (Quantity::RollToSideslip, ratio)));
+    judge(Criterion::DutchRoll, task, values, &dutch_roll(task.class, task.category, wn, phi_rule))
+}
+
+/// The verdict on an oscillation that roll and spiral have become.
+fn rolling(mode: &Mode, task: Task) -> Verdict {
+    // ζωₙ = −σ
+    let values = vec![(Quantity::DampingProduct, -mode.lambda.re)];
+    let verdict = match coupled_roll_spiral(task.category) {
+        Some(levels) => judge(Criterion::CoupledRollSpiral, task, values, &levels),
+        None => not_allowed(Criterion::CoupledRollSpiral, task, values, Remark::NotAllowed),
+    };
+    Verdict { modes: vec![mode.naming.name], ..verdict }
+}
+
+/// Whether a mode is an oscillation in which roots of several modes have met, or states beside the four.
+fn is_of_several(mode: &Mode) -> bool {
+    use ModeName::{FeedbackOscillation, FurtherOscillation, LateralOscillation, ThirdOscillatory};
+    matches!(
+        mode.naming.name,
+        LateralOscillation | ThirdOscillatory | FeedbackOscillation | FurtherOscillation
+    )
+}
+
+/// That nothing was judged by any of some criteria, told of the first: the roots of its mode are in an oscillation with others.
+fn without_mode(verdicts: &[Verdict], criteria: &[Criterion], modes: &[Mode], task: Task) -> Option<Verdict> {
+    let is_judged = |verdict: &Verdict| verdict.level.is_some() && criteria.contains(&verdict.criterion);
+    let met = || modes.iter().filter(|mode| is_of_several(mode)).map(|mode| mode.naming.name).collect();
+    let criterion = criteria.first().filter(|_| !verdicts.iter().any(is_judged))?;
+    Some(without_level(*criterion, task, met(), Remark::NoModeLeft))
 }
 
 /// The `names` among them that modes have.
@@ -305,9 +417,9 @@ fn not_allowed(criterion: Criterion, task: Task, values: Vec<(Quantity, f64)>, r
     }
 }
 
-/// The verdict of a requirement on an oscillation that is gone.
-fn without_premise(criterion: Criterion, task: Task, modes: Vec<ModeName>) -> Verdict {
-    let verdict = not_allowed(criterion, task, Vec::new(), Remark::NoOscillation);
+/// The verdict of a requirement that has nothing to judge.
+fn without_level(criterion: Criterion, task: Task, modes: Vec<ModeName>, remark: Remark) -> Verdict {
+    let verdict = not_allowed(criterion, task, Vec::new(), remark);
     Verdict { level: None, modes, ..verdict }
 }
 

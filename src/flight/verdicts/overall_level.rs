@@ -8,13 +8,15 @@ use crate::flight::modes::stability::Stability;
 /// The worst level, and the criterion that governs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverallLevel<'a> {
-    /// The worst level of all criteria; `None` where something grows that no paragraph here judges, and the rest isn't the worst
-    /// already: then no level can be told.
+    /// The worst level of all criteria; `None` where flight has something in it that no paragraph here judges, and the rest isn't the
+    /// worst already: then no level can be told.
     pub level: Option<Level>,
     /// The verdict that has it; of several the first.
     pub governing: &'a Verdict,
-    /// Names of the modes that grow and that no paragraph here judges.
+    /// Names of the modes that no paragraph here judges: those that grow, and oscillations of the aircraft.
     pub unjudged: Vec<ModeName>,
+    /// Why no level can be told, where nothing grows unjudged.
+    pub left_open: Option<&'a Verdict>,
 }
 
 /// The overall level of the verdicts and modes of each plane; `None` where nothing is judged.
@@ -23,8 +25,12 @@ pub fn overall_level<'a>(
 ) -> Option<OverallLevel<'a>> {
     let mut overall: Option<(Level, &Verdict)> = None;
     let mut unjudged = Vec::new();
+    let mut left_open = None;
     for (verdicts, modes) in planes {
         for verdict in verdicts {
+            if verdict.leaves_open() {
+                left_open = left_open.or(Some(verdict));
+            }
             if let Some(level) = verdict.level
                 && overall.is_none_or(|(worst, _)| level > worst)
             {
@@ -37,6 +43,8 @@ pub fn overall_level<'a>(
         unjudged.extend(growing.map(|mode| mode.naming.name).filter(|name| !is_judged(*name)));
     }
     let (worst, governing) = overall?;
-    let level = (unjudged.is_empty() || worst == Level::Beyond).then_some(worst);
-    Some(OverallLevel { level, governing, unjudged })
+    let left_open = left_open.filter(|_| unjudged.is_empty());
+    unjudged.extend(left_open.iter().flat_map(|verdict| verdict.modes.iter().copied()));
+    let is_told = worst == Level::Beyond || (unjudged.is_empty() && left_open.is_none());
+    Some(OverallLevel { level: is_told.then_some(worst), governing, unjudged, left_open })
 }

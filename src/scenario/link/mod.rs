@@ -338,19 +338,22 @@ fn read_disturbance(pieces: &mut Pieces, scenario: &mut Scenario) {
 
 /// The place of a mode in the order of the modes: by its number, counted from one, or by its key or name.
 fn mode_of(scenario: &Scenario, plane: Plane, word: &str) -> Option<usize> {
-    let (law, four) = (&scenario.law, 0..4);
-    let model = scenario.aircraft.baseline.models.planes[plane].as_ref();
-    let is_of_four = law.is_open(plane) && model.is_none_or(|model| model.further.is_none());
-    let is_there = |place: &usize| four.contains(place) || !is_of_four;
-    words::place_of_mode(word).filter(is_there).or_else(|| {
-        let name = ModeName::by_key(word)?;
-        let analysis = scenario.analyse().ok()?;
-        let open = analysis.planes[plane].as_ref()?.as_ref().ok()?;
-        if is_of_four {
-            return open.modes.iter().position(|mode| mode.naming.name == name);
-        }
+    let place = words::place_of_mode(word);
+    if place.is_some_and(|place| place < 4) {
+        return place;
+    }
+    let law = &scenario.law;
+    let analysis = scenario.analyse().ok()?;
+    let open = analysis.planes[plane].as_ref()?.as_ref().ok()?;
+    let names: Vec<ModeName> = if law.is_open(plane) && open.model.further.is_none() {
+        open.modes.iter().map(|mode| mode.naming.name).collect()
+    } else {
         let closed = analyse_loop(&open.model, law, None).ok()?;
-        closed.modes.iter().position(|mode| mode.mode.naming.name == name)
+        closed.modes.iter().map(|mode| mode.mode.naming.name).collect()
+    };
+    place.filter(|place| *place < names.len()).or_else(|| {
+        let wanted = ModeName::by_key(word)?;
+        names.iter().position(|name| *name == wanted)
     })
 }
 

@@ -52,7 +52,7 @@ pub struct MapPlot {
     /// Gain at the right edge while the point is held.
     held: Option<f64>,
     sheet: Option<(Drawn, (PlotContent, Vec<Entry>))>,
-    told: Option<((CacheKey, f64), Option<String>)>,
+    told: Option<(CacheKey, Option<String>)>,
 }
 
 /// The key of the picture.
@@ -103,16 +103,19 @@ impl MapPlot {
             ui.request_repaint_after(A_MOMENT);
         }
         let is_told = !curtain.hides_values() && !curtain.hides_any(&[Hidden::Verdicts, Hidden::Curves]);
-        let told = kept(&mut self.told, (CacheKey::of(canvas), reach), || {
-            let (here, best) = of.damping_here().zip(of.best_gain(input, reach))?;
+        let (gain_key, washout_key) = (keys(plane).0[input], keys(plane).1);
+        let rows = [gain_key, washout_key].map(Parameter::find);
+        // The best of the slider, whatever part of it the map shows.
+        let told = kept(&mut self.told, CacheKey::of(canvas), || {
+            let range = rows[0]?.range(of.scenario());
+            let best = of.best_gain(input, [*range.start(), *range.end()]);
+            let (here, best) = of.damping_here().zip(best)?;
             Some(words::map((gain, here), washout, best))
         });
         if let Some(text) = told.as_deref().filter(|_| is_told) {
             let font = theme::semibold(theme::sizes(ui).small);
             ui.label(RichText::new(text).font(font).color(palette.text));
         }
-        let (gain_key, washout_key) = (keys(plane).0[input], keys(plane).1);
-        let rows = [gain_key, washout_key].map(Parameter::find);
         let judged = map.levels.len() == map.places.len();
         let key = Drawn { map: map.clone(), palette, judged, curtain: curtain.clone() };
         let symbol = rows[0].map_or("k", |row| row.symbol);

@@ -29,9 +29,7 @@ pub fn metrics_ui(ui: &mut Ui, findings: &Findings, pinned: Option<&Findings>) {
             let sentence = ui.label(prose(&line, theme::body(), Palette::of(ui).text));
             copy::offer(ui, sentence.rect, &|| line.clone());
         }
-        // Under a law a control that is held is not the only one that moves.
         if !Curtain::of(ui).hides_influence()
-            && !findings.flies_otherwise()
             && let Some(trim) = NewTrim::of(findings)
         {
             let text = words::new_trim::sentence(&trim, findings.scenario().convention());
