@@ -13,6 +13,7 @@ use eigenwing::export::{
 };
 use eigenwing::findings::Findings;
 use eigenwing::flight::aircraft::plane::Plane;
+use eigenwing::flight::feedback::analyse_loop;
 use eigenwing::flight::feedback::damping_map::{best_gain, law_with, least_damping};
 use eigenwing::flight::feedback::law::RATE;
 use eigenwing::flight::modes::stability::Stability;
@@ -40,7 +41,7 @@ fn envelope(report: &ResponseReport, outputs: &[Signal], name: &str) -> f64 {
 /// A mode is flown that has the name asked for: a real one dies away as its eigenvalue says, under the law and without.
 #[test]
 fn the_mode_that_is_flown_is_the_one_that_is_told() {
-    let law = [("k.phi_da", -0.5), ("actuator", 0.1)];
+    let law = [("k.phi_da", -0.02), ("actuator", 0.1)];
     let flown = scene("navion", &law);
     let report = analyse(&flown).expect("an answer");
     let lateral = report.lateral.as_ref().and_then(PlaneOutcome::report).expect("lateral motion");
@@ -129,7 +130,7 @@ fn a_pilot_s_deflection_that_is_held_back_is_told() {
         assert_eq!(flight.limits.len(), bites, "{:?}", flight.limits);
         if let Some(limit) = flight.limits.first() {
             assert_eq!((limit.control, limit.limit), ("elevator", "deflection"));
-            assert!(limit.from <= 0.02 && limit.until > limit.from, "{limit:?}");
+            assert!((limit.from - 1.0).abs() < 1e-6 && (limit.until - 1.3).abs() < 1e-6, "{limit:?}");
         }
     }
 }
@@ -178,9 +179,22 @@ fn the_best_gain_is_the_best_of_the_whole_slider_from_any_law() {
         let (law, model) = (findings.scenario().law, &findings.plane().expect("lateral motion").model);
         let of = |gain: f64| least_damping(model, &law_with(&law, model, 1, gain, washout)).expect("roots");
         assert_eq!(of(best), damping);
-        for k in 0..=2000 {
-            let gain = range[0] + (range[1] - range[0]) * f64::from(k) / 2000.0;
-            assert!(of(gain) <= damping + 1e-4, "{key}: {gain} damps {} and {best} only {damping}", of(gain));
+        // More roots that grow without oscillating are no price for damping.
+        let growing = |gain: f64| {
+            let closed =
+                analyse_loop(model, &law_with(&law, model, 1, gain, washout), None).expect("likewise");
+            closed
+                .modes
+                .iter()
+                .filter(|m| !m.mode.is_oscillatory() && m.mode.stability == Stability::Unstable)
+                .count()
+        };
+        let usual = growing(0.0);
+        assert!(growing(best) <= usual, "{key}: {best}");
+        for k in 0..=500 {
+            let gain = range[0] + (range[1] - range[0]) * f64::from(k) / 500.0;
+            let better = of(gain) > damping + 1e-4 && growing(gain) <= usual;
+            assert!(!better, "{key}: {gain} damps {} and {best} only {damping}", of(gain));
             compared += 1;
         }
         // No law that is tried is beyond the range.
@@ -189,7 +203,7 @@ fn the_best_gain_is_the_best_of_the_whole_slider_from_any_law() {
         assert!((short[0]..=short[1]).contains(&within), "{key}: {within} of {short:?}");
         assert!(law.planes.lateral.to_second[RATE] == gain);
     }
-    assert!(compared > 8000, "{compared}");
+    assert!(compared > 2000, "{compared}");
 }
 
 #[test]

@@ -143,7 +143,9 @@ fn a_gain_next_to_nothing_leaves_the_names_of_all_roots_that_it_doesn_t_move() {
                 let moved =
                     analyse_loop(&model, &law_of(plane, &more, washout, actuator), None).expect("likewise");
                 for mode in &base.modes {
-                    let Some(same) = unmoved(mode, &base, &moved) else { continue };
+                    // Where a shape is mixed its name is a matter of the way on which its root was followed.
+                    let is_clear = mode.participation.iter().any(|share| *share >= 0.75);
+                    let Some(same) = unmoved(mode, &base, &moved).filter(|_| is_clear) else { continue };
                     let what = format!(
                         "{} {plane:?} {gains:?} {washout} {actuator} with {input} {signal}",
                         reference.id
@@ -219,8 +221,7 @@ fn no_level_is_claimed_with_a_mode_of_flight_that_misses_it_or_is_not_judged() {
                     if shares[0] + shares[2] > shares[1].max(shares[3])
                         && mode.mode.naming.name != ModeName::CoupledRollSpiral =>
                 {
-                    let met =
-                        [zeta >= 0.08 && product >= 0.15, zeta >= 0.02 && product >= 0.05, zeta >= 0.02];
+                    let met = [zeta >= 0.08 && product >= 0.15, zeta >= 0.02 && product >= 0.05, zeta >= 0.0];
                     met.iter().position(|met| *met && wn >= 0.4)
                 }
                 Plane::Lateral => continue,

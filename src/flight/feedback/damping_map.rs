@@ -1,5 +1,7 @@
 //! What the gain of a rate and the time constant of its washout make of the damping: a map over both.
 
+use nalgebra::Complex;
+
 use super::closed_model::ClosedModel;
 use super::law::{Law, RATE};
 use super::loop_analysis::analyse_loop;
@@ -65,13 +67,19 @@ pub fn law_with(law: &Law, model: &PlaneModel, input: usize, gain: f64, washout:
 
 /// Damping ratio of the oscillation that a law damps least, 1 where nothing oscillates; `None` where there are no roots.
 pub fn least_damping(model: &PlaneModel, law: &Law) -> Option<f64> {
-    let roots = eigenvalues(&ClosedModel::new(model, law).ok()?.a).ok()?;
-    let oscillations = roots.iter().filter(|root| root.im > 0.0);
-    Some(oscillations.map(|root| -root.re / root.norm()).fold(1.0, f64::min))
+    Some(damping_of(eigenvalues(&ClosedModel::new(model, law).ok()?.a).ok()?.as_slice()))
 }
 
+fn damping_of(roots: &[Complex<f64>]) -> f64 {
+    let oscillations = roots.iter().filter(|root| root.im > 0.0);
+    oscillations.map(|root| -root.re / root.norm()).fold(1.0, f64::min)
+}
+
+/// A real root grows above this fraction of the largest, as a mode does.
+const NEUTRAL: f64 = 1e-9;
+
 /// Of the gains from `low` to `high`, zero among them, the one whose least damping is greatest with a washout, and that damping; `None`
-/// where there are no roots.
+/// where there are no roots. A gain with which more roots grow without oscillating than without it is no better one.
 pub fn best_gain(
     model: &PlaneModel,
     law: &Law,
@@ -81,8 +89,16 @@ pub fn best_gain(
 ) -> Option<(f64, f64)> {
     const RATIO: f64 = 0.618_033_988_749_894_8;
     // On either side of zero, closer together near it.
-    const LOOKED_AT: i32 = 50;
-    let of = |gain: f64| least_damping(model, &law_with(law, model, input, gain, washout));
+    const LOOKED_AT: i32 = 100;
+    let with = |gain: f64| -> Option<(f64, usize)> {
+        let law = law_with(law, model, input, gain, washout);
+        let roots = eigenvalues(&ClosedModel::new(model, &law).ok()?.a).ok()?;
+        let size = roots.iter().map(|root| root.norm()).fold(0.0, f64::max);
+        let growing = roots.iter().filter(|root| root.im == 0.0 && root.re > NEUTRAL * size).count();
+        Some((damping_of(roots.as_slice()), growing))
+    };
+    let growing = with(0.0)?.1;
+    let of = |gain: f64| with(gain).map(|found| if found.1 > growing { -1.0 } else { found.0 });
     let place = |k: i32| {
         let share = f64::from(k.clamp(-LOOKED_AT, LOOKED_AT)) / f64::from(LOOKED_AT);
         share * share.abs() * if k < 0 { -low } else { high }

@@ -147,6 +147,12 @@ fn families_of(
         family.share(participation) + filled
     };
     let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect();
+    // Whether both roots of a pair are of one family, so that it has a name that an exchange would take away.
+    let is_whole = |families: &[Family], i: usize| match eigen.values[i].im {
+        im if im > 0.0 => families[i] == families[i + 1],
+        im if im < 0.0 => families[i] == families[i - 1],
+        _ => false,
+    };
     let is_truer = |families: &[Family], (i, j): (usize, usize)| {
         let (of_i, of_j) = (families[i], families[j]);
         let needed = match (of_i, of_j) {
@@ -154,6 +160,7 @@ fn families_of(
             (Family::Appended(k), Family::Appended(l)) if apart[(4 + k, 4 + k)] == apart[(4 + l, 4 + l)] => {
                 SAME
             }
+            _ if is_whole(families, i) || is_whole(families, j) => MUCH_TRUER,
             _ => TRUER,
         };
         share(i, of_j) + share(j, of_i) > share(i, of_i) + share(j, of_j) + needed
@@ -168,6 +175,9 @@ fn families_of(
 /// So much more of the participation must names tell when exchanged than as they were followed: roots that cross on the axis, or that
 /// the gains carry into each other's place, have gone ways that tell nothing of what they are.
 const TRUER: f64 = 0.25;
+
+/// The same where a pair of one family would become one of two.
+const MUCH_TRUER: f64 = 0.75;
 
 /// Rounding of shares.
 const SAME: f64 = 1e-9;
