@@ -81,6 +81,12 @@ def flight(name, gains, washouts, lags, limits, rates, pilot, command, duration=
     rates = np.array(rates)
 
     # y: body 18, slow parts of q and r, the four controls
+    def by_hand(t):
+        hand = np.zeros(4)
+        if pilot and pilot[2] <= t < pilot[3]:
+            hand[CONTROLS.index(pilot[0])] = pilot[1]
+        return hand
+
     def asked(t, y):
         signals = measured(y)
         if command and t >= command[2]:
@@ -89,10 +95,7 @@ def flight(name, gains, washouts, lags, limits, rates, pilot, command, duration=
         for k, j in [(0, 2), (1, 7)]:
             if washouts[k]:
                 signals[j] -= y[18 + k]
-        hand = np.zeros(4)
-        if pilot and pilot[2] <= t < pilot[3]:
-            hand[CONTROLS.index(pilot[0])] = pilot[1]
-        hand = np.clip(hand, low, high)
+        hand = np.clip(by_hand(t), low, high)
         wanted = matrix @ signals
         return hand, wanted, np.clip(wanted, low - hand, high - hand), filled
 
@@ -116,7 +119,8 @@ def flight(name, gains, washouts, lags, limits, rates, pilot, command, duration=
         hand, wanted, within, _, _ = parts(t, y, ways)
         total = hand + np.where(driven, wanted, 0.0)
         slow = (ways != 0) | (driven & ~direct & (np.abs(within - y[20:24]) > rates * np.where(direct | ~driven, 1, np.maximum(lags, 1e-9))))
-        return np.stack([(total < low) | (total > high), slow], axis=1)
+        # The reach holds the pilot back, or the law in what the pilot leaves of it.
+        return np.stack([(total < low) | (total > high) | (by_hand(t) != hand), slow], axis=1)
 
     def runs_away(i):
         def event(t, y, ways):

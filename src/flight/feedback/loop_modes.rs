@@ -177,7 +177,7 @@ fn families_of(
 const TRUER: f64 = 0.25;
 
 /// The same where a pair of one family would become one of two.
-const MUCH_TRUER: f64 = 0.75;
+const MUCH_TRUER: f64 = 1.0;
 
 /// Rounding of shares.
 const SAME: f64 = 1e-9;

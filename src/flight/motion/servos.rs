@@ -147,13 +147,15 @@ impl Servos<'_> {
     pub(super) fn bites(&self, moment: &Moment<'_>, asked: &Asked) -> Bites {
         [0, 1, 2, 3].map(|i| {
             let [low, high] = self.limits[i].range;
-            let reached = asked.held[i] + if self.moves(i) { asked.asked[i] } else { 0.0 };
+            // The reach holds the pilot back, or the law in what the pilot leaves of it.
+            let reached = asked.pilot[i] + if self.moves(i) { asked.asked[i] } else { 0.0 };
+            let is_held = asked.held[i] != asked.pilot[i];
             let slow = match moment.ways[i] {
                 Way::After(_) => true,
                 Way::There if self.is_direct(i) || !self.moves(i) => false,
                 Way::There => self.wanted(i, moment, asked).abs() > self.limits[i].rate,
             };
-            [!(low..=high).contains(&reached), slow]
+            [is_held || !(low..=high).contains(&reached), slow]
         })
     }
 
