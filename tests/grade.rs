@@ -260,10 +260,7 @@ fn the_same_work_under_two_names_is_told_and_a_second_report_of_one_name() {
     let aircraft = aircraft();
     let navion = Scenario::new(aircraft.iter().find(|one| one.key == "navion").expect("it ships").clone());
     let end = *Parameter::find("cm_q").expect("a slider").range(&navion).start();
-    for (number, said) in [
-        ("-17.123456", "The same as Bob has: dragged slider in step 2."),
-        ("-17", ""),
-    ] {
+    for (number, said) in [("-17.123456", "The same as Bob has: dragged slider in step 2."), ("-17", "")] {
         let grades = graded(&[dragged("Ada", number), dragged("Bob", number)]);
         assert_eq!(remarks(&grades, 0), said, "{number}");
     }

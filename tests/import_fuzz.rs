@@ -156,7 +156,7 @@ fn check(name: &str, bytes: &[u8], fills: &[(&str, &str)]) -> bool {
             }
         },
         Err(error) => {
-            let lines = bytes.iter().filter(|byte| **byte == b'\n').count() + 2;
+            let lines = bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count() + 2;
             assert!(error.line >= 1 && error.line <= lines.max(2), "{name}: {error}");
             assert!(!error.problem.is_empty(), "{name} says nothing");
             false

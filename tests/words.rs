@@ -60,7 +60,9 @@ fn flight_uses_nothing_but_itself() {
         let code = fs::read_to_string(&file).expect("a source file");
         let is_beyond = |line: &&str| {
             line.contains("use crate::")
-                && !["use crate::flight", "use crate::key::", "use crate::few;"].iter().any(|own| line.contains(own))
+                && !["use crate::flight", "use crate::key::", "use crate::few;"]
+                    .iter()
+                    .any(|own| line.contains(own))
         };
         let beyond = code.lines().find(is_beyond);
         assert_eq!(beyond, None, "{}", file.display());

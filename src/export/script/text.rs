@@ -1,6 +1,6 @@
 //! Numbers and lists as scripts of most languages write them: the shortest that reads back to the last bit.
 
-use crate::content::{LengthUnit, UnitSystem};
+use crate::content::LengthUnit;
 use crate::flight::aircraft::plane::Trim;
 use crate::number::shortest;
 
@@ -38,10 +38,18 @@ pub fn quoted(words: &[&str]) -> String {
 
 /// What the importer of matrices must know to read A and B again, as comments behind a mark, a line each; in this unit of length.
 pub fn settings(trim: &Trim, length: LengthUnit, mark: &str) -> String {
-    let units = UnitSystem::NAMES.into_iter().find(|(_, system)| system.length() == length.metres());
-    let units = units.map(|(name, _)| format!("{mark} units: {name}\n")).unwrap_or_default();
+    let units = match length {
+        LengthUnit::Metre => "SI",
+        LengthUnit::Foot => "ft-slug-s",
+        // No file says so.
+        LengthUnit::HundredFeet => return String::new(),
+    };
     let angles = [("alpha0_deg", trim.alpha0), ("gamma0_deg", trim.gamma0)];
     let angles = angles.into_iter().filter(|(_, angle)| *angle != 0.0);
     let angles = angles.map(|(key, angle)| format!("{mark} {key}: {}\n", number(angle.to_degrees())));
-    format!("{units}{mark} speed: {}\n{}", number(trim.speed / length.metres()), angles.collect::<String>())
+    format!(
+        "{mark} units: {units}\n{mark} speed: {}\n{}",
+        number(trim.speed / length.metres()),
+        angles.collect::<String>()
+    )
 }
