@@ -141,10 +141,10 @@ fn an_aircraft_that_was_deleted_in_one_tab_does_not_come_back_with_another() {
     };
     let kept = names(&both);
     assert_eq!(kept.len(), 2);
-    let stored = delete(&mut one, "Delete first");
+    let stored = delete(&mut one, "Delete first.m");
     assert_eq!(names(&stored), kept[1..]);
     // The other tab deletes the second, with both in mind.
-    let here = delete(&mut other, "Delete second");
+    let here = delete(&mut other, "Delete second.m");
     assert_eq!(names(&here), kept[..1]);
     state(&mut other).take_up_aircraft(&stored, &both);
     let left = state(&mut other).take_changed_aircraft().expect("to be stored");

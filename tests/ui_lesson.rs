@@ -481,7 +481,7 @@ at_least = "1.5 × start"
         let record = &records.lessons["goal.md"];
         let place = Place { step: 0, part: 0 };
         assert!(record.answers.get(place).is_some_and(|given| given.reached), "{size}");
-        assert!(record.scenes[&place].contains("cm_alpha=-2"), "{:?}", record.scenes);
+        assert!(record.scenes[&place].contains("cm_alpha=-2"), "{size}: {:?}", record.scenes);
     }
     // Nobody is greeted who has begun.
     harness.state_mut().as_mut().expect("the page").greet();

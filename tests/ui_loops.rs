@@ -105,7 +105,11 @@ fn where_input_and_output_are_alike_crossovers_are_marked() {
 
 #[test]
 fn limits_of_the_levels_come_to_the_map_once_it_is_judged() {
-    let mut harness = opened(WIDE, "&tab=gain-map");
+    let mut harness = page(WIDE);
+    open(
+        &mut harness,
+        "v=1&ac=b747-fc7&plane=lateral&page=feedback&k.r_dr=0.5&washout=3&actuator=0.1&tab=gain-map",
+    );
     // One washout a frame.
     (0..30).for_each(|_| harness.step());
     harness.get_by_label_contains("limit of Level 1, dashed; limit of Level 2, dotted");

@@ -62,6 +62,10 @@ impl App {
         if self.view.presents || ui.input(|input| input.pointer.any_down()) {
             return;
         }
+        // What is drawn again has findings of what was before.
+        if !self.is_found() {
+            return;
+        }
         // Taken out, so that the scene can be asked for.
         let mut pane = std::mem::take(&mut self.panes.lesson);
         let mut is_reached = false;
