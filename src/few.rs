@@ -38,7 +38,7 @@ mod tests {
                 expected.sort_by_key(|pair| pair.0);
                 assert_eq!(found, expected, "{few:?}");
                 sort_by(&mut found, |a, b| b.1.cmp(&a.1));
-                expected.sort_by(|a, b| b.1.cmp(&a.1));
+                expected.sort_by_key(|pair| std::cmp::Reverse(pair.1));
                 assert_eq!(found, expected, "{few:?}");
             }
         }

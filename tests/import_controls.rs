@@ -286,7 +286,7 @@ fn what_is_typed_and_nothing_asks_for_is_refused() {
 fn a_field_that_appears_only_after_another_is_filled_takes_what_was_typed_before() {
     for count in 0..TYPED.len() {
         let review = try_open(&["navion.stab"], &TYPED[..count]);
-        assert!(review.is_ok(), "{count}: {}", review.expect_err("it is none").to_string());
+        assert!(review.is_ok(), "{count}: {}", review.expect_err("it is none"));
     }
     // Groups are asked for once a case is chosen, the row of sideslip once the states have a name.
     assert!(open(&["navion.stab"], &["ConGrp_1=elevator"]).aircraft.is_none());

@@ -276,8 +276,11 @@ pub(super) fn read_scicos(sheet: &mut Sheet, text: &str) -> Result<(), Problem> 
     Ok(())
 }
 
+/// A matrix and the line on which it begins.
+type LineAndRows = (usize, Vec<Vec<f64>>);
+
 /// x0, u0, A and B, each in brackets, rows ended by semicolons, with their lines.
-fn scicos_matrices(text: &str, first_line: usize) -> Result<[(usize, Vec<Vec<f64>>); 4], Problem> {
+fn scicos_matrices(text: &str, first_line: usize) -> Result<[LineAndRows; 4], Problem> {
     let mut matrices: Vec<(usize, Vec<Vec<f64>>)> = Vec::new();
     let mut rest = text;
     let mut line = first_line;
