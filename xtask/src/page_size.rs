@@ -24,8 +24,9 @@ const LESSONS_BUDGET: u64 = 400_000;
 const LESSONS: &str = "lessons";
 
 /// The module and its example, likewise, which the page loads only where a file is opened or something is taken along. It is that
-/// much since loops, nonlinear flight under a law, charts, pages of paper and other programs' notations are in it.
-const CORE_BUDGET: u64 = 600_000;
+/// much since loops, nonlinear flight under a law, charts, pages of paper and other programs' notations are in it; 572 kB before the
+/// outlines of the letters of figures and the forms of matrices that people write, 613 kB with them.
+const CORE_BUDGET: u64 = 640_000;
 
 /// Prints tables of the files and fails if they outgrow their budgets.
 pub fn check(project: &Project) -> Result<()> {
